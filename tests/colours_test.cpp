@@ -78,7 +78,8 @@ TEST(ColoursPage, ListsTheColoursOfPlots) {
   for (const std::string name :
        {"astar, p", "dijkstra, p_moving", "jps, pid", "hub_labels, pure_pursuit",
         "corner_hierarchy", "boost-astar", "greedy", "bfs", "dfs", "random_walk", "car",
-        "theta_star", "lazy_theta_star", "lattice", "alt", "replanner", "d_star_lite", "others"}) {
+        "theta_star", "lazy_theta_star", "lattice", "alt", "replanner", "d_star_lite",
+        "hybrid_astar", "others"}) {
     const std::vector<std::string> first{name.substr(0, name.find(','))};
     const std::size_t colour =
         name == "others" ? kLightPlot.names.size() - 1 : plot_colours_of(first).front();

@@ -237,13 +237,13 @@ TEST(Generate, KeepsAPictureThatBelongsToSomethingElse) {
 
 TEST(Generate, MakesEveryKindFromASeed) {
   for (const std::string kind :
-       {"random", "maze", "rooms", "office", "warehouse", "rough", "car", "parking"}) {
+       {"random", "maze", "rooms", "office", "warehouse", "rough", "car", "parking", "car_park"}) {
     const TemporaryFolder folder;
     const std::string map = folder / "map.txt";
-    const Outcome outcome = wend({"generate", kind, "--size", "180x160", "--seed", "5", "-o", map});
+    const Outcome outcome = wend({"generate", kind, "--size", "220x160", "--seed", "5", "-o", map});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     const json info = json::parse(wend({"info", map, "--format", "json"}).out);
-    EXPECT_EQ(info.at("width"), 180) << kind;
+    EXPECT_EQ(info.at("width"), 220) << kind;
     EXPECT_GT(info.at("free"), 0) << kind;
   }
 }

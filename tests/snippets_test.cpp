@@ -27,8 +27,10 @@
 #include "wend/geometry/box.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/compass.hpp"
+#include "wend/geometry/curve.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/geometry/segment.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/io/files.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
@@ -116,6 +118,26 @@ TEST(Snippets, OfArcDistance) {
   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});      // around the centre (0,1)
   const double gap = wend::distance(arc, wend::Cell{1, -1});  // sqrt(2) - 1, at (1,0)
   EXPECT_NEAR(gap, std::sqrt(2) - 1, 1e-12);
+}
+
+TEST(Snippets, OfCurve) {
+  const wend::Pose from{2, 2, 0};
+  const wend::Pose aside{2, 5, 0};
+  const wend::CurveCosts costs{.reverse = 2, .gear_change = 0.5};
+  const wend::Curve parking = wend::cheapest_reeds_shepp(from, aside, 1, costs);
+  const wend::Curve ahead = wend::cheapest_dubins(from, aside, 1);
+  std::vector<wend::Pose> poses{from};
+  wend::append_poses(parking, from, 1, poses);
+  EXPECT_NEAR(wend::distance(poses.back().point(), aside.point()), 0, 1e-9);
+  EXPECT_GT(parking.gear_changes(), 0);
+  EXPECT_GT(ahead.length(), parking.length());
+}
+
+TEST(Snippets, OfTrigonometry) {
+  const wend::SineCosine north = wend::sine_and_cosine(wend::kPi / 2);
+  const double heading = wend::arc_tangent(1, -1);  // 3/4 pi
+  EXPECT_EQ(north.sine, 1);
+  EXPECT_NEAR(heading, 0.75 * wend::kPi, 1e-15);
 }
 
 TEST(Snippets, OfArcClearance) {

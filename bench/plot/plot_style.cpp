@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kColours = kLightPlot.names.size();
 
 /// Planners are never compared with controllers.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 21> kOwn{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 22> kOwn{{
     {"astar", 0},
     {"dijkstra", 1},
     {"jps", 2},
@@ -29,6 +29,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 21> kOwn{{
     {"alt", 14},
     {"replanner", 15},
     {"d_star_lite", 16},
+    {"hybrid_astar", 17},
     {"p", 0},
     {"p_moving", 1},
     {"pid", 2},

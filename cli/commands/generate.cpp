@@ -38,6 +38,7 @@ constexpr const char* kGenerateExamples = R"(Examples:
   wend generate random --size 512x512 --density 0.35 -o random.map -o random.png
   wend generate car --size 20x20 --obstacles 25 --rough 25 --seed 3 -o yard.txt
   wend generate parking --size 60x40 --occupied 0.8 -o parking.yaml
+  wend generate car_park --size 480x330 --seed 7 -o car_park.yaml
   wend generate scenario random.map --buckets 10 --seed 1 -o random.map.scen
 
 The same kind, size, options and seed give the same map everywhere.)";

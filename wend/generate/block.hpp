@@ -21,6 +21,9 @@ struct Block {
   Block grown(int by) const { return {x - by, y - by, width + 2 * by, height + 2 * by}; }
 };
 
+/// The size of part i if `total` is divided into `parts` about equal parts.
+inline int part(int i, int parts, int total) { return (i + 1) * total / parts - i * total / parts; }
+
 /// The part of a block that lies on a grid.
 template <class T>
 Block clipped(const Grid<T>& grid, const Block& block) {

@@ -40,8 +40,8 @@ struct GeneratorInfo {
 
   /// A start and a goal for demos: the cells (free_corner, free_corner) and, counted from the
   /// opposite corner, (width-1-free_corner, height-1-free_corner) are free if the map has them.
-  /// In the office and the warehouse, which are in metres, a robot with a radius of 0.3 m can drive
-  /// from one (1 m, 1 m) to the other.
+  /// In the office, the warehouse and the car park, which are in metres, a robot with a radius of 0.3 m can
+  /// drive from one (1 m, 1 m) to the other.
   int free_corner = 1;
 
   std::vector<OptionInfo> options;  // which `make` takes
@@ -50,8 +50,8 @@ struct GeneratorInfo {
       make;
 };
 
-/// The generators of generators.def; a new one takes one file and one line. The office and the warehouse
-/// are in metres, 0.1 m a cell, y up, with the lower left corner at (0, 0) and unknown cells around the
+/// The generators of generators.def; a new one takes one file and one line. The office, the warehouse and the
+/// car park are in metres, 0.1 m a cell, y up, with the lower left corner at (0, 0) and unknown cells around the
 /// building and inside obstacles; the others have a plain frame. `car` and the parking yard are for cars
 /// that stand on corners of cells and turn with a radius of one cell; rough road costs 2.
 WEND_API const Registry<GeneratorInfo>& generators();

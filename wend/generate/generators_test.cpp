@@ -63,7 +63,7 @@ TEST_P(EachGenerator, HasADefaultSizeThatItTakes) {
 }
 
 TEST_P(EachGenerator, MakesTheSameMapFromTheSameSeed) {
-  const auto text = [&](std::uint64_t seed) { return drawn(made(GetParam(), 170, 130, seed)); };
+  const auto text = [&](std::uint64_t seed) { return drawn(made(GetParam(), 220, 170, seed)); };
   EXPECT_EQ(text(7), text(7));
   EXPECT_NE(text(7), text(8));
 }
@@ -129,10 +129,10 @@ TEST_P(EachGenerator, TakesBothEndsOfEveryRange) {
 INSTANTIATE_TEST_SUITE_P(Kinds, EachGenerator, testing::ValuesIn(generators().names()),
                          [](const auto& instance) { return instance.param; });
 
-TEST(Generators, AreTheseEight) {
+TEST(Generators, AreTheseNine) {
   EXPECT_EQ(generators().names(),
             (std::vector<std::string>{"random", "maze", "rooms", "office", "warehouse", "rough",
-                                      "car", "parking"}));
+                                      "car", "parking", "car_park"}));
 }
 
 TEST(RandomGenerator, BlocksTheShareThatItIsTold) {
@@ -225,7 +225,7 @@ TEST(RoomsGenerator, WithAllLoopsHasADoorInEveryWall) {
 class EachBuilding : public EachGenerator {};
 
 TEST_P(EachBuilding, IsInMetresWithTheLowerLeftCornerAtZero) {
-  const Frame frame = made(GetParam(), 160, 100, 7).frame();
+  const Frame frame = made(GetParam(), 220, 170, 7).frame();
   EXPECT_EQ(frame, (Frame{.resolution = 0.1, .origin = {}, .y_up = true, .metric = true}));
 }
 
@@ -262,7 +262,8 @@ TEST_P(EachBuilding, IsMadeOfFloorForALargePart) {
       [](const GridMap& map) { ASSERT_GT(free_cells(map), map.size() / 4) << drawn(map); });
 }
 
-INSTANTIATE_TEST_SUITE_P(Buildings, EachBuilding, testing::Values("office", "warehouse"),
+INSTANTIATE_TEST_SUITE_P(Buildings, EachBuilding,
+                         testing::Values("office", "warehouse", "car_park"),
                          [](const auto& instance) { return instance.param; });
 
 TEST(OfficeGenerator, CanBeUnfurnished) {

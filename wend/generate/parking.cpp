@@ -52,9 +52,6 @@ struct ParkingOptions {
   }
 };
 
-/// The size of part i if `total` is divided into `parts` about equal parts.
-int part(int i, int parts, int total) { return (i + 1) * total / parts - i * total / parts; }
-
 /// The first cells of rows of bays, from the upper edge down. Even rows have their aisle below, odd
 /// ones above.
 std::vector<int> rows_of_bays(int height) {

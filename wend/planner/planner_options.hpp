@@ -17,6 +17,7 @@
 #include "wend/planner/incremental/incremental_options.hpp"
 #include "wend/planner/lattice/lattice_options.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/planner/se2/hybrid_astar_options.hpp"
 
 namespace wend {
 

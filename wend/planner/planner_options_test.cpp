@@ -23,7 +23,8 @@ class PlannerOptionsOf : public ::testing::Test {};
 using AllOptions =
     ::testing::Types<AStarOptions, GreedyOptions, DijkstraOptions, BfsOptions, DfsOptions,
                      RandomWalkOptions, ThetaStarOptions, LazyThetaStarOptions, CarOptions,
-                     LatticeOptions, ReplannerOptions, DStarLiteOptions, AltOptions>;
+                     LatticeOptions, ReplannerOptions, DStarLiteOptions, AltOptions,
+                     HybridAStarOptions>;
 TYPED_TEST_SUITE(PlannerOptionsOf, AllOptions);
 
 template <class... Options>

@@ -1,0 +1,219 @@
+#include "wend/planner/se2/hybrid_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "wend/base/parse.hpp"
+#include "wend/geometry/compass.hpp"
+#include "wend/planner/goal_region.hpp"
+#include "wend/planner/lattice/query_ends.hpp"
+#include "wend/robot/nearest_passable.hpp"
+
+namespace wend {
+namespace {
+
+DriveKind model_of(const HybridAStarOptions& options) {
+  const bool car = options.motion_model == DriveKind::reeds_shepp;
+  return car && !options.allow_reverse ? DriveKind::dubins : options.motion_model;
+}
+
+Steering steering_for(const FreeSpace& space, const HybridAStarOptions& options) {
+  const double resolution = space.map().frame().resolution;
+  return {model_of(options),
+          options.turning_radius / resolution,
+          {.reverse = options.reverse_factor,
+           .turn = options.turn_factor,
+           .gear_change = options.gear_change_cost / resolution,
+           .spin = options.turn_cost / resolution}};
+}
+
+HybridResolution resolution_for(const FreeSpace& space, const Steering& steering,
+                                const HybridAStarOptions& options) {
+  const double metre = 1 / space.map().frame().resolution;
+  const double automatic = steering.radius() > 0 ? steering.radius() / 2 : 0.2 * metre;
+  HybridResolution resolution;
+  resolution.step =
+      options.motion_length > 0 ? options.motion_length * metre : std::max(1.0, automatic);
+  resolution.position = resolution.step / 2;
+  resolution.headings = static_cast<int>(options.headings);
+  resolution.wide_room = 2.5 * resolution.step;
+  resolution.trace_spacing = 5 * resolution.step;
+  resolution.weight = options.weight;
+  return resolution;
+}
+
+/// "(2.5,3.5,90deg)", in grid coordinates
+std::string text_of(const Pose& pose) {
+  const double degrees = std::round(degrees_from(normalized_angle(pose.heading)) * 100) / 100;
+  return '(' + format_number(pose.x) + ',' + format_number(pose.y) + ',' + format_number(degrees) +
+         "deg)";
+}
+
+constexpr double kLongestTurn = kPi / 2;  // of a motion between two poses of a path
+constexpr double kRounding = 1e-9;
+
+}  // namespace
+
+HybridPlanner::HybridPlanner(FreeSpace space, const HybridAStarOptions& options)
+    : HybridPlanner(space, options, std::make_shared<const HybridGround>(space)) {}
+
+HybridPlanner::HybridPlanner(FreeSpace space, const HybridAStarOptions& options,
+                             std::shared_ptr<const HybridGround> ground)
+    : Planner(std::move(space)),
+      options_(options),
+      steering_(steering_for(free_space(), options)),
+      ground_(std::move(ground)) {}
+
+std::unique_ptr<Planner> HybridPlanner::do_clone() const {
+  return std::unique_ptr<HybridPlanner>(new HybridPlanner(free_space(), options_, ground_));
+}
+
+std::optional<Error> HybridPlanner::do_update(const SpaceChange& /*change*/) {
+  HybridPlanner::do_release();
+  steering_ = steering_for(free_space(), options_);
+  ground_ = std::make_shared<const HybridGround>(free_space());
+  return std::nullopt;
+}
+
+void HybridPlanner::do_release() {
+  search_.reset();
+  ground_.reset();
+}
+
+std::optional<Status> HybridPlanner::do_check(const Query& query) {
+  if (!std::isfinite(query.start.heading)) return Status::unsupported_query;
+  if (!cell_under(free_space(), query.start.point())) return Status::start_outside;
+  if (!free_space().fits(query.start)) return Status::start_blocked;
+  goals_.clear();
+  std::size_t index = 0;
+  return take_goals(query, [&](const Goal& /*goal*/) { return take_goal(query, index++); });
+}
+
+std::optional<Status> HybridPlanner::take_goal(const Query& query, std::size_t index) {
+  const Goal& goal = query.goals[index];
+  if (goal.heading && !std::isfinite(*goal.heading)) return Status::unsupported_query;
+  auto place = place_for(goal);
+  if (!place) {
+    return cell_under(free_space(), goal.point) ? Status::goal_blocked : Status::goal_outside;
+  }
+  if (!ground_->connected(cell_at(query.start.point()), cell_at(place->pose.point()))) {
+    return Status::unreachable;
+  }
+  place->index = index;
+  goals_.push_back(*place);
+  return std::nullopt;
+}
+
+/// A heading of a goal with which the robot fits at a point.
+std::optional<double> HybridPlanner::heading_at(Point point, const Goal& goal) const {
+  const double wanted = goal.heading.value_or(0);
+  if (free_space().fits({point.x, point.y, wanted})) return wanted;
+  const double most = goal.heading ? goal.heading_tolerance : kPi;
+  constexpr int kChoices = 18;  // to each side
+  for (int i = 1; i <= kChoices; ++i) {
+    for (const int side : {1, -1}) {
+      const double heading = wrapped_angle(wanted + side * most * i / kChoices);
+      if (free_space().fits({point.x, point.y, heading})) return heading;
+    }
+    if (most == 0 || !free_space().outline()) break;
+  }
+  return std::nullopt;
+}
+
+/// The nearest place to a goal, within its tolerance, where the robot fits.
+std::optional<HybridGoal> HybridPlanner::place_for(const Goal& goal) const {
+  if (!is_near_a_map(goal)) return std::nullopt;
+  const auto place_at = [&](Point point, double heading) {
+    return HybridGoal{{point.x, point.y, heading}, !goal.heading, goal, 0};
+  };
+  if (cell_under(free_space(), goal.point)) {
+    if (const auto heading = heading_at(goal.point, goal)) return place_at(goal.point, *heading);
+  }
+  std::optional<HybridGoal> nearest;
+  GoalRegion(goal, std::nullopt, cells_of(free_space())).for_each([&](Cell cell) {
+    const Point point = centre_of(cell);
+    if (nearest && distance(goal.point, point) >= distance(goal.point, nearest->pose.point()))
+      return;
+    if (const auto heading = heading_at(point, goal)) nearest = place_at(point, *heading);
+  });
+  return nearest;
+}
+
+std::optional<Point> HybridPlanner::do_nearest_free(const Goal& goal) const {
+  if (!is_near_a_map(goal)) return std::nullopt;
+  if (place_for(goal)) return goal.point;
+  const PlaceGrid cells = cells_of(free_space());
+  const auto cell =
+      nearest_accepted(cells.columns, cells.rows, cells.nearest(goal.point), [&](Cell at) {
+        return free_space().possible()[at] && heading_at(centre_of(at), goal).has_value();
+      });
+  if (!cell) return std::nullopt;
+  return centre_of(*cell);
+}
+
+Status HybridPlanner::do_plan(const Query& query, Plan& out) {
+  if (!search_) {
+    search_ = std::make_unique<HybridPortfolio>(ground_, steering_,
+                                                resolution_for(free_space(), steering_, options_));
+  }
+  const SearchOutcome outcome = search_->run(query.start, goals_, query.limits, query.observer);
+  out.metrics = search_->metrics();
+  // A limit ends the search for a better path, not the path that there is.
+  const HybridSearch* const finder = search_->finder();
+  if (finder == nullptr || outcome == SearchOutcome::cancelled) return status_of(outcome);
+  write(query, *finder, out);
+  return Status::found;
+}
+
+void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& out) const {
+  constexpr double kSpacing = 4;  // of the poses between which a drive is shortened, in steps
+  const double spacing = kSpacing * resolution_for(free_space(), steering_, options_).step;
+  const Drive drive = joined(shortened(finder.path(), ground_->check(), steering_, spacing));
+  out.path.drive_to(query.start);
+  for (const DrivenMotion& driven : drive) {
+    const double turn = std::abs(driven.motion.turn);
+    const auto parts = std::max(1, static_cast<int>(std::ceil(turn / kLongestTurn - kRounding)));
+    for (int i = 1; i <= parts; ++i) {
+      const Motion before = part_of(driven.motion, static_cast<double>(i) / parts);
+      out.path.drive_to(pose_after(driven.from, before));
+    }
+  }
+  out.cost = cost_of(drive, ground_->check(), steering_);
+  const auto poses = out.path.driven_poses();
+  const Frame& frame = free_space().map().frame();
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    out.moves.push_back(name_of(segment_between(poses[i - 1], poses[i]), frame));
+  }
+  out.goal_snapping_error = snapping_error_between(query.goals[finder.goal()], poses.back());
+}
+
+double HybridPlanner::do_heuristic(const Pose& pose) const {
+  if (!search_ || !cell_under(free_space(), pose.point())) return 0;
+  return search_->heuristic(pose);
+}
+
+std::uint64_t HybridPlanner::do_state_count() const {
+  return free_space().possible().count() * static_cast<std::uint64_t>(options_.headings);
+}
+
+std::string HybridPlanner::do_reason(const Query& query, Status status) const {
+  const auto blocked = [&](const std::string& name, const Pose& pose) {
+    const auto reason = free_space().why_blocked(pose);
+    return "the robot does not fit at the " + name + " " + text_of(pose) +
+           (reason ? ": " + std::string(describe(*reason)) : "");
+  };
+  if (status == Status::unsupported_query && !query.goals.empty()) {
+    return "the headings of the start and the goal must be finite numbers";
+  }
+  if (status == Status::start_blocked) return blocked("start", query.start);
+  if (query.goals.empty()) return {};
+  const Goal& goal = query.goals.front();
+  const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
+  if (status == Status::goal_blocked) return blocked("goal", pose);
+  if (status != Status::unreachable) return {};
+  return "no drive leads from the start " + text_of(query.start) + " to the goal " + text_of(pose) +
+         ", in cells";
+}
+
+}  // namespace wend

@@ -1,0 +1,50 @@
+#pragma once
+
+// HybridPlanner: the planner hybrid_astar: takes queries apart, runs a HybridSearch, and writes its path.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wend/planner/planner.hpp"
+#include "wend/planner/se2/hybrid_astar_options.hpp"
+#include "wend/planner/se2/hybrid_goal.hpp"
+#include "wend/planner/se2/hybrid_ground.hpp"
+#include "wend/planner/se2/hybrid_portfolio.hpp"
+
+namespace wend {
+
+class HybridPlanner final : public Planner {
+ public:
+  /// Cars have a turning radius above 0.
+  HybridPlanner(FreeSpace space, const HybridAStarOptions& options);
+
+ private:
+  HybridPlanner(FreeSpace space, const HybridAStarOptions& options,
+                std::shared_ptr<const HybridGround> ground);
+
+  std::optional<Status> do_check(const Query& query) override;
+  Status do_plan(const Query& query, Plan& out) override;
+  std::string do_reason(const Query& query, Status status) const override;
+  double do_heuristic(const Pose& pose) const override;
+  std::uint64_t do_state_count() const override;
+  std::optional<GridMoves> do_grid_moves() const override { return std::nullopt; }
+  std::optional<Point> do_nearest_free(const Goal& goal) const override;
+  std::unique_ptr<Planner> do_clone() const override;
+  std::optional<Error> do_update(const SpaceChange& change) override;
+  void do_release() override;
+
+  std::optional<Status> take_goal(const Query& query, std::size_t index);
+  std::optional<HybridGoal> place_for(const Goal& goal) const;
+  std::optional<double> heading_at(Point point, const Goal& goal) const;
+  void write(const Query& query, const HybridSearch& finder, Plan& out) const;
+
+  HybridAStarOptions options_;
+  Steering steering_;
+  std::shared_ptr<const HybridGround> ground_;
+  std::unique_ptr<HybridPortfolio> search_;
+  std::vector<HybridGoal> goals_;
+};
+
+}  // namespace wend

@@ -1,0 +1,79 @@
+#pragma once
+
+// HybridPortfolio: four hybrid A* searches that take turns until one finds a path. A search that follows the way
+// of a disc can fill a dead end that the robot cannot pass; another heuristic, or finer motions, get past it:
+//
+//   direct   the costs as they are
+//   backward from the goal to the start: where it is difficult to arrive, it is easy to leave
+//   wide     a heuristic that avoids narrow places
+//   fine     smaller boxes and shorter motions; only its end means that there is no path
+//
+// A flood from the goal runs along with them: where the goal is boxed in, it ends soon. The searches are made when
+// they are first needed.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "wend/base/limits.hpp"
+#include "wend/planner/se2/goal_flood.hpp"
+#include "wend/planner/se2/hybrid_ground.hpp"
+#include "wend/planner/se2/hybrid_search.hpp"
+
+namespace wend {
+
+class HybridPortfolio {
+ public:
+  HybridPortfolio(std::shared_ptr<const HybridGround> ground, const Steering& steering,
+                  const HybridResolution& resolution);
+
+  /// Runs the query to its end. The goals must outlive the run.
+  SearchOutcome run(const Pose& start, std::span<const HybridGoal> goals, const Limits& limits,
+                    SearchObserver* observer);
+
+  /// The search that has found a path; null if none has.
+  const HybridSearch* finder() const { return finder_; }
+  /// The work of all searches.
+  SearchMetrics metrics() const;
+
+  /// The heuristic of the first search.
+  double heuristic(const Pose& pose) const;
+
+  /// What the last run without a path has learned.
+  bool goal_is_boxed_in() const { return boxed_in_; }
+
+ private:
+  enum Kind : std::size_t { direct, backward, wide, fine };
+  static constexpr std::size_t kKinds = 4;
+
+  struct Member {
+    std::unique_ptr<CoarseGrid> grid;
+    std::unique_ptr<HybridSearch> search;
+    bool begun = false;
+    bool exhausted = false;
+  };
+
+  void make(Kind kind);
+  HybridResolution resolution_of(Kind kind) const;
+  std::optional<SearchOutcome> stopped(const Limits& limits, double end) const;
+  SearchOutcome run_member(Kind kind, std::uint64_t most, const Limits& limits, double end);
+  bool flood(std::uint64_t most);
+
+  std::shared_ptr<const HybridGround> ground_;
+  Steering steering_;
+  HybridResolution resolution_;
+  GoalRing ring_;
+  std::array<Member, kKinds> members_;
+  std::unique_ptr<GoalFlood> flood_;
+  std::unique_ptr<GoalFlood> fine_flood_;
+  const HybridSearch* finder_ = nullptr;
+  Pose start_;
+  std::span<const HybridGoal> goals_;
+  SearchObserver* observer_ = nullptr;
+  bool boxed_in_ = false;
+};
+
+}  // namespace wend

@@ -1,0 +1,424 @@
+#include "wend/planner/se2/hybrid_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace wend {
+namespace {
+
+constexpr double kNoWay = std::numeric_limits<double>::infinity();
+constexpr int kTraceHeadings = 12;
+constexpr std::size_t kWords = 4;         // connections that are tried to a goal
+constexpr std::size_t kMostHits = 2;      // connections of a trace that are kept
+constexpr std::size_t kMostNarrow = 2;    // narrow places of a trace
+constexpr double kTight = 2;              // room beside the robot, in cells
+constexpr int kAside = 4;                 // cells that a pose in a narrow place is moved by
+constexpr int kTurns = 6;                 // times 10 degrees that it is turned by
+constexpr double kShorter = 0.62;         // the next subgoal of a trace, as a share of the last one
+constexpr double kSteadyGap = 0.003;      // of the cost of a path, that is not worth a search
+constexpr double kGrowingGap = 0.0002;    // how that grows with each expansion since the first path
+constexpr std::uint64_t kPatience = 300;  // expansions after the first path
+
+/// The same place for a robot that looks the other way, and the same motion for it.
+Pose facing_back(const Pose& pose) { return {pose.x, pose.y, wrapped_angle(pose.heading + kPi)}; }
+Motion facing_back(const Motion& motion) { return {-motion.length, motion.turn, motion.course}; }
+
+/// Does a robot face away from a pose that it is to reach?
+bool faces_away(const Pose& from, const Pose& to) {
+  const auto [sine, cosine] = sine_and_cosine(from.heading);
+  const auto [up, along] = sine_and_cosine(to.heading);
+  return sine * up + cosine * along < 0;
+}
+
+}  // namespace
+
+HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, const GoalRing& ring,
+                           const CoarseGrid& grid, const HybridResolution& resolution,
+                           Direction direction)
+    : check_(check),
+      steering_(steering),
+      grid_(grid),
+      direction_(direction),
+      resolution_(resolution),
+      turning_(steering),
+      ring_(ring),
+      field_(grid),
+      seen_(resolution.position, resolution.headings),
+      traced_(resolution.trace_spacing, kTraceHeadings) {}
+
+void HybridSearch::begin(const Pose& first, std::span<const HybridGoal> goals,
+                         SearchObserver* observer) {
+  Pose start = first;
+  goals_ = goals;
+  if (direction_ == Direction::from_goal) {
+    start = facing_back(goals.front().pose);
+    start_as_goal_ = goals.front();
+    start_as_goal_.pose = facing_back(first);
+    goals_ = {&start_as_goal_, 1};
+  }
+  observer_ = observer;
+  seen_.clear();
+  traced_.clear();
+  nodes_.clear();
+  motions_.clear();
+  open_.clear();
+  metrics_ = {};
+  best_ = kNone;
+  best_cost_ = kNoWay;
+  expanded_at_first_path_ = 0;
+  std::vector<CostField::Seed> seeds;
+  for (const HybridGoal& goal : goals_) seeds.push_back(seed_of(goal));
+  field_.begin(seeds, start.point());
+  field_.settle(start.point());
+  const CostField::Value h = estimate(start);
+  if (!(h.cost < kNoWay)) return;
+  nodes_.push_back({start, 0, h.cost, kNone, 0, 0, 0, h.exact, true, 0});
+  seen_[start] = 0;
+  open_.push_back({f_of(nodes_[0]), 0});
+  metrics_.generated = metrics_.max_frontier = 1;
+  tell(nodes_[0], false);
+}
+
+/// What the field knows of a goal: the cost of arriving with its heading, or the distance.
+CostField::Seed HybridSearch::seed_of(const HybridGoal& goal) const {
+  if (goal.wants_heading() && ring_.reach() > 0) {
+    return {goal.pose.point(),
+            [this, &goal](Point point) { return ring_.least_cost(point, goal.pose); },
+            ring_.reach()};
+  }
+  return {goal.pose.point(),
+          [&goal](Point point) { return straight_distance(point, goal.pose.point()); },
+          4.0 * grid_.size()};
+}
+
+/// The cost of the way on the field, and of turning into it; near a goal, that of arriving there.
+CostField::Value HybridSearch::estimate(const Pose& pose) const {
+  CostField::Value value = field_.at(pose.point());
+  if (!value.exact || !(value.cost < kNoWay)) return value;
+  double arriving = kNoWay;
+  for (const HybridGoal& goal : goals_) {
+    if (!goal.wants_heading()) continue;
+    if (straight_distance(pose.point(), goal.pose.point()) > ring_.reach()) continue;
+    arriving = std::min(arriving, ring_.cost(pose, goal.pose));
+  }
+  if (arriving < kNoWay) {
+    value.cost = std::max(value.cost, arriving);
+    return value;
+  }
+  const Point way = field_.descent(pose.point());
+  const auto [sine, cosine] = sine_and_cosine(pose.heading);
+  value.cost += turning_(cosine * way.x + sine * way.y);
+  return value;
+}
+
+/// The longer the search has gone on since it found a path, the less it has to gain.
+bool HybridSearch::may_stop(double least_f) const {
+  if (best_ == kNone) return false;
+  const auto since = metrics_.expanded - expanded_at_first_path_;
+  if (since >= kPatience) return true;
+  const double gap = kSteadyGap + kGrowingGap * static_cast<double>(since);
+  return best_cost_ <= least_f * (1 + gap);
+}
+
+SearchOutcome HybridSearch::run(std::uint64_t most) {
+  const std::uint64_t end = metrics_.expanded + most;
+  while (!open_.empty()) {
+    const Open top = open_.front();
+    if (may_stop(top.f)) return SearchOutcome::found;
+    if (metrics_.expanded >= end) return SearchOutcome::running;
+    std::pop_heap(open_.begin(), open_.end());
+    open_.pop_back();
+    Node& node = nodes_[top.node];
+    if (seen_[node.pose] != top.node) continue;  // a better pose has taken its place
+    if (!node.exact) {
+      field_.settle(node.pose.point());
+      node.exact = true;
+      node.h = std::max(node.h, estimate(node.pose).cost);
+      if (!(node.h < kNoWay)) continue;
+      const double f = f_of(node);
+      if (f > top.f) {
+        open_.push_back({f, top.node});
+        std::push_heap(open_.begin(), open_.end());
+        continue;
+      }
+    }
+    expand(top.node);
+  }
+  return best_ == kNone ? SearchOutcome::exhausted : SearchOutcome::found;
+}
+
+void HybridSearch::expand(Index node) {
+  ++metrics_.expanded;
+  if (observer_ != nullptr) tell(nodes_[node], true);
+  for (const HybridGoal& goal : goals_) {
+    if (goal.accepts(nodes_[node].pose)) offer_goal(node, goal);
+  }
+  const bool due = nodes_[node].traced || nodes_[node].age >= resolution_.trace_period;
+  if (due) {
+    nodes_[node].age = 0;
+    expand_trace(node);
+  }
+  if (nodes_[node].h < 4 * steering_.radius() + resolution_.step) try_goals(node);
+  expand_primitives(node);
+}
+
+void HybridSearch::expand_primitives(Index node) {
+  const double room = check_.room_at(nodes_[node].pose.point());
+  const double step = room > resolution_.wide_room ? 2 * resolution_.step : resolution_.step;
+  for (const Motion& primitive : steering_.primitives()) {
+    const Motion motion = steering_.scaled(primitive, step);
+    if (const auto cost = drive(node, {&motion, 1}, kNoWay)) add(node, {&motion, 1}, *cost, false);
+  }
+}
+
+/// The cost of driving the motions from a node, if the robot can and it costs less than the limit.
+std::optional<double> HybridSearch::drive(Index node, std::span<const Motion> motions,
+                                          double limit) {
+  Pose pose = nodes_[node].pose;
+  int gear = nodes_[node].gear;
+  double cost = 0;
+  for (const Motion& motion : motions) {
+    const double way = direction_ == Direction::from_start
+                           ? check_.cost(pose, motion)
+                           : check_.cost(facing_back(pose), facing_back(motion));
+    if (way == MotionCheck::kBlocked) return std::nullopt;
+    const int next = gear_of(motion);
+    if (next * gear < 0) cost += steering_.costs().gear_change;
+    if (next != 0) gear = next;
+    cost += steering_.cost(motion, way);
+    if (cost >= limit) return std::nullopt;
+    pose = pose_after(pose, motion);
+  }
+  return cost;
+}
+
+/// Adds the pose at the end of some motions, unless its box has one that is as good.
+bool HybridSearch::add(Index parent, std::span<const Motion> motions, double cost, bool traced) {
+  const Node from = nodes_[parent];
+  Node node = from;
+  for (const Motion& motion : motions) {
+    node.pose = pose_after(node.pose, motion);
+    if (const int gear = gear_of(motion); gear != 0) node.gear = static_cast<std::int8_t>(gear);
+  }
+  node.g = from.g + cost;
+  if (node.g >= best_cost_) return false;
+  const CostField::Value h = estimate(node.pose);
+  node.h = h.cost;
+  node.exact = h.exact;
+  if (!(node.g + node.h < best_cost_)) return false;
+  std::uint32_t& seen = seen_[node.pose];
+  const bool again = seen != kNone;
+  if (again && nodes_[seen].g + nodes_[seen].h <= node.g + node.h) return false;
+  node.parent = parent;
+  node.first_motion = static_cast<Index>(motions_.size());
+  node.motion_count = static_cast<std::uint16_t>(motions.size());
+  node.traced = traced;
+  node.age = static_cast<std::uint8_t>(traced ? 0 : std::min(from.age + 1, 255));
+  seen = static_cast<Index>(nodes_.size());
+  motions_.insert(motions_.end(), motions.begin(), motions.end());
+  open_.push_back({f_of(node), seen});
+  std::push_heap(open_.begin(), open_.end());
+  nodes_.push_back(node);
+  ++metrics_.generated;
+  metrics_.max_frontier = std::max<std::uint64_t>(metrics_.max_frontier, open_.size());
+  if (observer_ != nullptr) tell(node, false);
+  return true;
+}
+
+/// Points on the descent of the field from a point, in trace_; returns what is left of the cost at the last one.
+double HybridSearch::follow_descent(Point from) {
+  constexpr std::size_t kMostPoints = 48;
+  trace_.clear();
+  Point point = from;
+  double cost = field_.at(point).cost;
+  const double step = std::max<double>(grid_.size(), resolution_.step);
+  while (trace_.size() < kMostPoints && cost > step) {
+    const Point way = field_.descent(point);
+    const Point next{point.x + step * way.x, point.y + step * way.y};
+    if (!check_.free_space().contains(cell_at(next))) break;
+    const CostField::Value there = field_.at(next);
+    if (!there.exact || !(there.cost < cost)) break;
+    point = next;
+    cost = there.cost;
+    trace_.push_back({point, check_.room_at(point)});
+  }
+  return cost;
+}
+
+void HybridSearch::expand_trace(Index node) {
+  std::uint32_t& traced = traced_[nodes_[node].pose];
+  if (traced != kNone) return;
+  traced = node;
+  const double left = follow_descent(nodes_[node].pose.point());
+  if (left < 4 * steering_.radius() + 2 * grid_.size()) try_goals(node);
+  connect_trace(node);
+}
+
+/// Connects to poses on the trace: in its narrow places, then the farthest first.
+void HybridSearch::connect_trace(Index node) {
+  std::size_t narrow = 0;
+  for (std::size_t i = 1; i + 1 < trace_.size() && narrow < kMostNarrow; ++i) {
+    const double room = trace_[i].room;
+    if (room < kTight && room <= trace_[i - 1].room && room < trace_[i + 1].room) {
+      ++narrow;
+      connect_to(node, pose_on_trace(i), kWords);
+    }
+  }
+  std::size_t hits = 0;
+  auto place = static_cast<double>(trace_.size());
+  for (int tries = 0; tries < 8 && place >= 2 && hits < kMostHits; ++tries, place *= kShorter) {
+    const auto i = static_cast<std::size_t>(place) - 1;
+    const Pose to = pose_on_trace(i);
+    if (connect_to(node, to, 1)) ++hits;
+    if (faces_away(nodes_[node].pose, to)) connect_to(node, facing_back(to), 1);
+  }
+}
+
+/// Adds the pose, by the cheapest of some connections that the robot can drive.
+bool HybridSearch::connect_to(Index node, const Pose& to, std::size_t words) {
+  const Node& from = nodes_[node];
+  const bool far = straight_distance(from.pose.point(), to.point()) > 4 * steering_.radius();
+  const double bound = best_cost_ - from.g;
+  std::array<Connection, kWords> all;
+  const std::span<Connection> connections(all.data(), words);
+  const int count = far ? steering_.connect_simply(from.pose, to, from.gear, bound, connections)
+                        : steering_.connect(from.pose, to, from.gear, bound, connections);
+  for (int i = 0; i < count; ++i) {
+    const Connection& connection = all[static_cast<std::size_t>(i)];
+    if (connection.count == 0) continue;
+    if (const auto cost = drive(node, connection.all(), bound)) {
+      return add(node, connection.all(), *cost, true);
+    }
+  }
+  return false;
+}
+
+/// A pose on the trace, heading along it. In a narrow place it is moved to the middle, and turned to where there is
+/// room ahead and behind.
+Pose HybridSearch::pose_on_trace(std::size_t i) const {
+  const Point before = trace_[i > 0 ? i - 1 : 0].point;
+  const Point after = trace_[std::min(i + 1, trace_.size() - 1)].point;
+  const Point at = trace_[i].point;
+  const Pose pose{at.x, at.y, arc_tangent(after.y - before.y, after.x - before.x)};
+  return trace_[i].room < kTight ? centred(pose) : pose;
+}
+
+Pose HybridSearch::centred(const Pose& pose) const {
+  const auto room_at = [&](Point point) {
+    return check_.free_space().contains(cell_at(point)) ? check_.room_at(point) : -kNoWay;
+  };
+  const auto [sine, cosine] = sine_and_cosine(pose.heading);
+  Point best = pose.point();
+  double most = room_at(best);
+  for (int i = -kAside; i <= kAside; ++i) {
+    const Point point = centre_of(cell_at({pose.x - i * sine, pose.y + i * cosine}));
+    const double room = room_at(point);
+    if (room > most) {
+      most = room;
+      best = point;
+    }
+  }
+  double heading = pose.heading;
+  most = -kNoWay;
+  for (int i = -kTurns; i <= kTurns; ++i) {
+    const double turned = pose.heading + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * kPi / 18;
+    const auto [up, along] = sine_and_cosine(turned);
+    double room = kNoWay;
+    for (const double way : {-4.0, -2.0, 2.0, 4.0}) {
+      room = std::min(room, room_at({best.x + way * along, best.y + way * up}));
+    }
+    if (room > most + 1e-6) {
+      most = room;
+      heading = turned;
+    }
+  }
+  return {best.x, best.y, wrapped_angle(heading)};
+}
+
+void HybridSearch::try_goals(Index node) {
+  for (const HybridGoal& goal : goals_) try_goal(node, goal);
+}
+
+/// Tries the cheapest connections to a goal.
+bool HybridSearch::try_goal(Index node, const HybridGoal& goal) {
+  const Pose from = nodes_[node].pose;
+  std::array<double, 4> headings{goal.pose.heading};
+  const int choices = goal.any_heading ? steering_.arrivals(from, goal.pose.point(), headings) : 1;
+  bool reached = false;
+  for (int i = 0; i < choices; ++i) {
+    const Pose to{goal.pose.x, goal.pose.y, headings[static_cast<std::size_t>(i)]};
+    std::array<Connection, kWords> words;
+    const double bound = best_cost_ - nodes_[node].g;
+    const int count = steering_.connect(from, to, nodes_[node].gear, bound, words);
+    for (int k = 0; k < count; ++k) {
+      const Connection& word = words[static_cast<std::size_t>(k)];
+      const double limit = best_cost_ - nodes_[node].g;
+      const auto cost = drive(node, word.all(), limit);
+      if (!cost) continue;
+      Node end = nodes_[node];
+      end.pose = to;
+      end.g += *cost;
+      end.h = 0;
+      end.parent = node;
+      end.first_motion = static_cast<Index>(motions_.size());
+      end.motion_count = static_cast<std::uint16_t>(word.count);
+      motions_.insert(motions_.end(), word.all().begin(), word.all().end());
+      nodes_.push_back(end);
+      offer_goal(static_cast<Index>(nodes_.size() - 1), goal);
+      reached = true;
+      break;
+    }
+  }
+  return reached;
+}
+
+void HybridSearch::offer_goal(Index node, const HybridGoal& goal) {
+  if (nodes_[node].g >= best_cost_) return;
+  if (best_ == kNone) expanded_at_first_path_ = metrics_.expanded;
+  best_ = node;
+  best_cost_ = nodes_[node].g;
+  best_goal_ = goal.index;
+}
+
+Drive HybridSearch::path() const {
+  std::vector<Index> chain;
+  for (Index node = best_; node != kNone; node = nodes_[node].parent) chain.push_back(node);
+  std::ranges::reverse(chain);
+  Drive path;
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    const Node& node = nodes_[chain[i]];
+    Pose pose = nodes_[chain[i - 1]].pose;
+    for (std::size_t k = 0; k < node.motion_count; ++k) {
+      const Motion& motion = motions_[node.first_motion + k];
+      const Pose next = pose_after(pose, motion);
+      if (direction_ == Direction::from_start) {
+        path.push_back({pose, motion});
+      } else {
+        path.push_back({facing_back(next), {motion.length, -motion.turn, motion.course}});
+      }
+      pose = next;
+    }
+  }
+  if (direction_ == Direction::from_goal) std::ranges::reverse(path);
+  return path;
+}
+
+void HybridSearch::tell(const Node& node, bool expanded) {
+  if (observer_ == nullptr) return;
+  SearchEvent event{cell_at(node.pose.point()), {}, node.g, node.h, f_of(node),
+                    node.pose.heading,          {}};
+  if (node.parent != kNone) {
+    const Pose& parent = nodes_[node.parent].pose;
+    event.parent = cell_at(parent.point());
+    event.parent_heading = parent.heading;
+  }
+  if (expanded) {
+    observer_->on_expand(event);
+  } else {
+    observer_->on_generate(event);
+  }
+}
+
+}  // namespace wend

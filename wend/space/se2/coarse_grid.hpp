@@ -1,0 +1,83 @@
+#pragma once
+
+// CoarseGrid: a map cut into squares of several cells, for estimates of the cost to a goal: where the middle of a
+// robot can be, what a unit of length costs there at least, and which neighbours are connected.
+//
+// A square is open if the robot's base point may be in one of its cells at some heading. Two squares are connected
+// if such cells meet across their common edge. So no wall is lost that is at least as thick as a square.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/pose.hpp"
+#include "wend/map/bit_grid.hpp"
+#include "wend/robot/free_space.hpp"
+
+namespace wend {
+
+/// The cells in which the base point can be somewhere, not only in the middle, at some heading. Two of them that a
+/// robot can drive between are connected by common edges. O(cells / 64 + cells near obstacles).
+BitGrid cells_to_drive_in(const FreeSpace& space);
+
+/// The largest size of a square, in cells, for which no wall is lost, and at most `most`.
+int coarse_size(const FreeSpace& space, double most);
+
+class CoarseGrid {
+ public:
+  /// `size` is that of a square, in cells. O(cells).
+  CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size);
+
+  int size() const { return size_; }
+  /// The number of squares with a ring of blocked ones around the map.
+  std::size_t count() const { return multipliers_.size(); }
+  /// From a square to the one above it.
+  std::size_t stride() const { return stride_; }
+
+  /// The square that contains a point of the map.
+  std::size_t square_at(Point point) const {
+    return index(static_cast<int>(std::floor(point.x / size_)),
+                 static_cast<int>(std::floor(point.y / size_)));
+  }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row + 1) * stride_ + static_cast<std::size_t>(column + 1);
+  }
+  /// The middle of a square.
+  Point middle(std::size_t square) const {
+    const auto column = static_cast<double>(square % stride_) - 1;
+    const auto row = static_cast<double>(square / stride_) - 1;
+    return {(column + 0.5) * size_, (row + 0.5) * size_};
+  }
+
+  int columns() const { return static_cast<int>(stride_) - 2; }
+  int rows() const { return static_cast<int>(count() / stride_) - 2; }
+
+  /// The least multiplier in a square; infinite if it is blocked.
+  float multiplier(std::size_t square) const { return multipliers_[square]; }
+  bool open(std::size_t square) const {
+    return multipliers_[square] < std::numeric_limits<float>::infinity();
+  }
+
+  /// Is a square connected with the next one to the right; with the one above?
+  bool connected_right(std::size_t square) const { return (links_[square] & kRight) != 0; }
+  bool connected_up(std::size_t square) const { return (links_[square] & kUp) != 0; }
+
+  /// Makes squares dearer in which no cell has this room beside the robot, in cells.
+  void charge_narrow_squares(const FreeSpace& space, double room, float factor);
+
+ private:
+  static constexpr std::uint8_t kRight = 1;
+  static constexpr std::uint8_t kUp = 2;
+
+  void take_row(const FreeSpace& space, const BitGrid& drivable, int y);
+
+  int size_;
+  std::size_t stride_;
+  std::vector<float> multipliers_;
+  std::vector<std::uint8_t> links_;
+};
+
+}  // namespace wend
