@@ -155,8 +155,9 @@ class DriveSweeps {
       std::vector<Pose> poses = window.poses_of(*pieces);
       poses.back() = poses_[end];
       const double length = length_ - window.length() + length_of(*pieces);
-      if (length > longest_ || !drivable(poses)) continue;
-      if (first_collision(Path::through(poses), space_)) {
+      const Path part = Path::through(poses);
+      if (length > longest_ || !drivable(part)) continue;
+      if (first_collision(part, space_)) {
         blocked = true;
         continue;
       }
@@ -176,13 +177,11 @@ class DriveSweeps {
   }
 
   /// By the segments between the poses themselves, which is what a robot gets.
-  bool drivable(const std::vector<Pose>& poses) const {
-    for (std::size_t i = 1; i < poses.size(); ++i) {
-      const Segment segment = segment_between(poses[i - 1], poses[i]);
-      if (!is_driven(segment)) return false;
-      if (std::abs(curvature_of(segment)) * objective_.radius > 1 + kCurvature) return false;
-    }
-    return true;
+  bool drivable(const Path& part) const {
+    return std::ranges::all_of(part.segments(), [this](const Segment& segment) {
+      return is_driven(segment) &&
+             std::abs(curvature_of(segment)) * objective_.radius <= 1 + kCurvature;
+    });
   }
 
   const FreeSpace& space_;
@@ -244,12 +243,14 @@ double drive_roughness(const Path& path, const FreeSpace& space,
 }
 
 SmootherInfo drive_smoother() {
-  return smoother_with<DriveSmootherOptions>(
+  SmootherInfo info = smoother_with<DriveSmootherOptions>(
       "drive", "Widens the arcs of a path of poses, with a least turning radius",
       "Dolgov, Thrun, Montemerlo, Diebel 2010",
       [](const Path& path, const FreeSpace& space, const DriveSmootherOptions& options) {
         return smooth_drive(path, space, options);
       });
+  info.drives = true;
+  return info;
 }
 
 }  // namespace wend

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -61,6 +62,14 @@ bool fits_everywhere(const Path& path, const FreeSpace& space) {
   return true;
 }
 
+double smallest_radius(const Path& path) {
+  double radius = kLeastRadius;
+  for (const Segment& segment : path.segments()) {
+    radius = std::min(radius, std::abs(segment.length / segment.turn));
+  }
+  return radius;
+}
+
 RC_GTEST_PROP(DriveSmoother, KeepsEndsRadiusAndFreedomAndLowersItsSum, ()) {
   const auto seed = *rc::gen::inRange<std::uint64_t>(1, 1'000'000);
   const auto longer = *rc::gen::element(0.0, 0.05, 0.2);
@@ -74,9 +83,12 @@ RC_GTEST_PROP(DriveSmoother, KeepsEndsRadiusAndFreedomAndLowersItsSum, ()) {
   const Path& result = smoothed->path;
   RC_ASSERT(result.driven_poses().front() == path->driven_poses().front());
   RC_ASSERT(result.driven_poses().back() == path->driven_poses().back());
+  // In arcs that are very short, rounding makes the curvature of the given path a little larger.
+  const double tightest = smallest_radius(*path);
+  RC_ASSERT(tightest > 0.999 * kLeastRadius);
   for (const Segment& segment : result.segments()) {
     RC_ASSERT(std::abs(segment.course) < 1e-6);
-    RC_ASSERT(std::abs(segment.turn) * kLeastRadius <= std::abs(segment.length) * (1 + 1e-6));
+    RC_ASSERT(std::abs(segment.turn) * tightest <= std::abs(segment.length) * (1 + 1e-6));
   }
   RC_ASSERT(!first_collision(result, space));
   RC_ASSERT(fits_everywhere(result, space));

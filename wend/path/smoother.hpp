@@ -55,6 +55,7 @@ struct SmootherInfo {
   std::string citation;                                     // the paper or book it comes from
   std::vector<OptionInfo> options;                          // which `make` takes
   std::function<SmootherResult(const OptionValues&)> make;  // from options as text
+  bool drives = false;                                      // takes paths of poses, and only these
 };
 
 /// gradient, curvature, drive.

@@ -121,14 +121,18 @@ class MovablePath {
 template <class Options, class Smooth>
 SmootherInfo smoother_with(std::string name, std::string summary, std::string citation,
                            Smooth&& smooth) {
-  return {std::move(name), std::move(summary), std::move(citation), option_schema<Options>(),
+  return {std::move(name),
+          std::move(summary),
+          std::move(citation),
+          option_schema<Options>(),
           [smooth](const OptionValues& values) -> SmootherResult {
             const auto options = parse_options<Options>(values);
             if (!options) return Unexpected<Error>(options.error());
             return [smooth, options = *options](const Path& path, const FreeSpace& space) {
               return smooth(path, space, options);
             };
-          }};
+          },
+          false};
 }
 
 }  // namespace wend
