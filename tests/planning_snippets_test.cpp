@@ -444,6 +444,10 @@ TEST(Snippets, OfTypedOptions) {
   const auto robot = wend::make_planner(space, wend::LatticeOptions{.turning_radius = 0.4});
   EXPECT_TRUE(car);
   EXPECT_TRUE(robot);
+  {
+    const auto planner = wend::make_planner(space, wend::HybridAStarOptions{.turning_radius = 0.4});
+    EXPECT_TRUE(planner);
+  }
   const wend::OptionValues values = wend::option_values(wend::AStarOptions{.weight = 2});
   EXPECT_EQ(values, (wend::OptionValues{{"weight", "2"}}));
 }
