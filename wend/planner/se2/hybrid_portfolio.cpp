@@ -43,8 +43,9 @@ void HybridPortfolio::make(Kind kind) {
   if (kind == wide) {
     member.grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
   }
+  const bool from_goal = kind == backward || kind == finest_backward;
   const auto direction =
-      kind == backward ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
+      from_goal ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
   member.search = std::make_unique<HybridSearch>(ground_->check(), steering_, ring_, *member.grid,
                                                  resolution, direction);
 }
@@ -87,8 +88,8 @@ bool HybridPortfolio::flood(std::uint64_t most) {
 SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal> goals,
                                    const Limits& limits, SearchObserver* observer) {
   for (Member& member : members_) member.begun = member.exhausted = false;
-  members_[finest] = {};
-  members_[backward].exhausted = goals.size() != 1 || !goals.front().wants_heading();
+  const bool one_pose = goals.size() == 1 && goals.front().wants_heading();
+  members_[backward].exhausted = !one_pose;
   finder_ = nullptr;
   boxed_in_ = false;
   start_ = start;
@@ -108,8 +109,9 @@ SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal
     }
     boxed_in_ = flood(flooded);
     if (boxed_in_ || members_[fine].exhausted) {
-      const SearchOutcome outcome = run_member(finest, kMostFinest, limits, end);
-      if (members_[finest].search->has_path()) finder_ = members_[finest].search.get();
+      const Kind last = boxed_in_ && one_pose ? finest_backward : finest;
+      const SearchOutcome outcome = run_member(last, kMostFinest, limits, end);
+      if (members_[last].search->has_path()) finder_ = members_[last].search.get();
       return outcome == SearchOutcome::running ? SearchOutcome::exhausted : outcome;
     }
     flooded *= kGrowth + 1;

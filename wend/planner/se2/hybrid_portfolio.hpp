@@ -47,8 +47,8 @@ class HybridPortfolio {
   bool goal_is_boxed_in() const { return boxed_in_; }
 
  private:
-  enum Kind : std::size_t { direct, backward, wide, fine, finest };
-  static constexpr std::size_t kKinds = 5;
+  enum Kind : std::size_t { direct, backward, wide, fine, finest, finest_backward };
+  static constexpr std::size_t kKinds = 6;
 
   struct Member {
     std::unique_ptr<CoarseGrid> grid;
