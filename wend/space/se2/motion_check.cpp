@@ -5,6 +5,7 @@
 
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/robot/fits_along.hpp"
+#include "wend/robot/placed_polygon.hpp"
 #include "wend/robot/sweep.hpp"
 
 namespace wend {
