@@ -88,9 +88,8 @@ TEST(HybridAStarReversed, SolvesTheReversedQueryAtNearlyTheSameCost) {
     const auto plan = planner->plan(query);
     const auto flipped = [](double heading) { return normalized_angle(heading + kPi); };
     const Goal& goal = query.goals.front();
-    const Query reversed{
-        {goal.point.x, goal.point.y, flipped(*goal.heading)},
-        {Goal(Pose{query.start.x, query.start.y, flipped(query.start.heading)})}};
+    const Query reversed{{goal.point.x, goal.point.y, flipped(*goal.heading)},
+                         {Goal(Pose{query.start.x, query.start.y, flipped(query.start.heading)})}};
     const auto other = planner->plan(reversed);
     ASSERT_EQ(plan.has_value(), other.has_value());
     if (!plan) continue;
@@ -161,8 +160,8 @@ TEST(HybridAStarOptions, ACarNeedsATurningRadius) {
 }
 
 TEST(HybridAStarLimits, GiveThePathThatThereIs) {
-  const FreeSpace space = *make_free_space(
-      *make_grid_map(Grid<CellState>(60, 60, CellState::free)), {.footprint = Footprint::disc(1)});
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(60, 60, CellState::free)),
+                                           {.footprint = Footprint::disc(1)});
   Query query{{5.5, 5.5, 0}, {Goal(Pose{50.5, 40.5, kPi / 2})}};
   query.limits.expansions = 2;
   const auto plan = planner_on(space)->plan(query);

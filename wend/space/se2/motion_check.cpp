@@ -83,7 +83,7 @@ int MotionCheck::pieces_of(const Motion& motion) const {
 }
 
 double MotionCheck::room_at(Point point) const {
-  const Cell cell = cell_at(point);
+  const Cell cell = nearest_cell(space_, point);  // the point may lie on the edge of the map
   if (known_ == 0) {
     return near_clearance(space_, cell) - circumscribed_ -
            straight_distance(point, centre_of(cell));

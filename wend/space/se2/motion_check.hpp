@@ -49,7 +49,7 @@ class MotionCheck {
   double cost_of_way(const Pose& from, const Motion& motion) const;
 
   /// The clearance of the base point beyond the circumscribed disc, in cells, or less; negative where the disc does
-  /// not fit. The point is on the map. O(1).
+  /// not fit. The point is on the map or its edge. O(1).
   double room_at(Point point) const;
 
  private:

@@ -76,7 +76,8 @@ TEST_P(MotionsOf, AreFreeWhereTheyPassAndTightWhereTheyDoNot) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Footprints, MotionsOf,
-                         ::testing::Values("disc:0.45", "disc:1.2", "1,0.5;-0.6,0.5;-0.6,-0.5;1,-0.5",
+                         ::testing::Values("disc:0.45", "disc:1.2",
+                                           "1,0.5;-0.6,0.5;-0.6,-0.5;1,-0.5",
                                            "1,0.6;0,0.2;-1,0.6;-1,-0.6;0,-0.4;1,-0.6"));
 
 TEST(MotionCheck, NeverCrossesAThinWall) {
