@@ -10,8 +10,7 @@ constexpr std::uint64_t kFirstTurn = 400;  // expansions
 constexpr std::uint64_t kGrowth = 3;       // of the turns
 constexpr std::uint64_t kFirstFlood = 500;
 constexpr std::uint64_t kMostFinest = 4'000;  // expansions of the last search
-    20'000;                       // poses by fine motions, to confirm that a goal is boxed in
-constexpr double kNarrow = 0.75;  // room beside the robot, in steps
+constexpr double kNarrow = 0.75;              // room beside the robot, in steps
 constexpr float kNarrowFactor = 4;
 
 }  // namespace

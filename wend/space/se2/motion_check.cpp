@@ -72,7 +72,6 @@ MotionCheck::MotionCheck(const FreeSpace& space)
     : space_(space),
       rows_(space.outline() != nullptr ? FootprintRows(*space.outline()) : FootprintRows()),
       circumscribed_(space.radius_in_cells()),
-      inscribed_(space.inscribed_radius_in_cells()),
       spin_(space.outline() != nullptr ? circumscribed_ : 0),
       known_(known_distance(space)),
       plain_room_(plain_room(space)) {}

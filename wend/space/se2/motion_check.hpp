@@ -65,7 +65,6 @@ class MotionCheck {
   FreeSpace space_;
   FootprintRows rows_;    // of a polygon
   double circumscribed_;  // cells
-  double inscribed_;      // cells
   double spin_;           // how far the farthest corner moves in a turn by a radian, in cells
   std::uint32_t known_;   // distances up to here are at hand, squared and in half-cells
   double plain_room_;     // with this room beside the robot, nothing costs more than its length
