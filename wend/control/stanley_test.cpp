@@ -20,7 +20,7 @@ struct Errors {
 };
 
 /// Drives along a line by exact arcs, from its beginning moved aside and turned; the errors after a time.
-Errors stanley_errors_after(double seconds, const MapPolyline& line, double aside, double turned) {
+Errors errors_after(double seconds, const MapPolyline& line, double aside, double turned) {
   const auto controller = make_controller("stanley").value();
   const VelocityLimits limits;
   controller->begin(line, limits);
@@ -38,7 +38,7 @@ Errors stanley_errors_after(double seconds, const MapPolyline& line, double asid
 }
 
 /// A circle to the left, in chords of 2 degrees.
-MapPolyline circle(double radius) {
+MapPolyline circle_of(double radius) {
   std::vector<MapPoint> points;
   for (int i = 0; i <= 180; ++i) {
     const double angle = radians_from(2 * i);
@@ -51,7 +51,7 @@ TEST(Stanley, ComesBackToALineFromBothSides) {
   const MapPolyline line(std::vector<MapPoint>{{0, 0}, {20, 0}});
   for (const double aside : {-0.3, 0.1, 0.3}) {
     for (const double turned : {-1.0, 0.0, 1.0}) {
-      const Errors errors = stanley_errors_after(12, line, aside, turned);
+      const Errors errors = errors_after(12, line, aside, turned);
       EXPECT_LT(errors.aside, 0.005) << aside << ' ' << turned;
       EXPECT_NEAR(errors.heading, 0, 0.01) << aside << ' ' << turned;
     }
@@ -60,7 +60,7 @@ TEST(Stanley, ComesBackToALineFromBothSides) {
 
 TEST(Stanley, HasNoLastingErrorInABend) {
   // A wheel that followed the path itself would draw the base point 0.041 m inwards.
-  const Errors errors = stanley_errors_after(5, circle(0.5), 0.05, 0);
+  const Errors errors = errors_after(5, circle_of(0.5), 0.05, 0);
   EXPECT_LT(errors.aside, 0.005);
   EXPECT_NEAR(errors.heading, 0, 0.03);
 }
