@@ -12,6 +12,12 @@ namespace {
 /// How far a point of a cell may be from its centre.
 constexpr double kHalfDiagonal = std::numbers::sqrt2 / 2;
 
+/// A squared distance in half-cells, rounded up; the largest stands for all that are larger.
+std::uint32_t threshold_of(double squared) {
+  constexpr double kMost = 4e9;
+  return static_cast<std::uint32_t>(std::ceil(std::min(squared, kMost)));
+}
+
 /// Calls visit(x) for the set bits of a row.
 template <class Visit>
 void for_each_cell(std::span<const std::uint64_t> words, Visit&& visit) {
@@ -29,7 +35,7 @@ BitGrid cells_to_drive_in(const FreeSpace& space) {
   constexpr double kRounding = 1e-6;
   const double least = 4 * radius * radius - kRounding;
   if (radius <= 0 || least <= 1) return space.obstacles().blocked().complement();
-  const auto threshold = static_cast<std::uint32_t>(std::ceil(least));
+  const auto threshold = threshold_of(least);
   BitGrid cells = space.possible();
   std::vector<std::uint64_t> open;
   for (int y = 0; y < space.height(); ++y) {
@@ -75,7 +81,7 @@ void CoarseGrid::take_row(const FreeSpace& space, const BitGrid& drivable, int y
 
 void CoarseGrid::charge_narrow_squares(const FreeSpace& space, double room, float factor) {
   const double least = space.inscribed_radius_in_cells() + room;
-  const auto threshold = static_cast<std::uint32_t>(std::ceil(4 * least * least));
+  const auto threshold = threshold_of(4 * least * least);
   std::vector<bool> wide(count(), false);
   for (int y = 0; y < space.height(); ++y) {
     for_each_cell(space.possible().row_words(y), [&](int x) {
