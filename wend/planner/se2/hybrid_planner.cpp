@@ -55,7 +55,7 @@ constexpr double kRounding = 1e-9;
 
 }  // namespace
 
-HybridPlanner::HybridPlanner(FreeSpace space, const HybridAStarOptions& options)
+HybridPlanner::HybridPlanner(const FreeSpace& space, const HybridAStarOptions& options)
     : HybridPlanner(space, options, std::make_shared<const HybridGround>(space)) {}
 
 HybridPlanner::HybridPlanner(FreeSpace space, const HybridAStarOptions& options,

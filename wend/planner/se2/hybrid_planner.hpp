@@ -18,7 +18,7 @@ namespace wend {
 class HybridPlanner final : public Planner {
  public:
   /// Cars have a turning radius above 0.
-  HybridPlanner(FreeSpace space, const HybridAStarOptions& options);
+  HybridPlanner(const FreeSpace& space, const HybridAStarOptions& options);
 
  private:
   HybridPlanner(FreeSpace space, const HybridAStarOptions& options,

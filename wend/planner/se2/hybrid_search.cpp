@@ -200,7 +200,7 @@ bool HybridSearch::add(Index parent, std::span<const Motion> motions, double cos
   Node node = from;
   for (const Motion& motion : motions) {
     node.pose = pose_after(node.pose, motion);
-    if (const int gear = gear_of(motion); gear != 0) node.gear = static_cast<std::int8_t>(gear);
+    if (const int gear = gear_of(motion); gear != 0) node.gear = gear;
   }
   node.g = from.g + cost;
   if (node.g >= best_cost_) return false;
@@ -268,8 +268,9 @@ void HybridSearch::connect_trace(Index node) {
   }
   std::size_t hits = 0;
   auto place = static_cast<double>(trace_.size());
-  for (int tries = 0; tries < 8 && place >= 2 && hits < kMostHits; ++tries, place *= kShorter) {
+  for (int tries = 0; tries < 8 && place >= 2 && hits < kMostHits; ++tries) {
     const auto i = static_cast<std::size_t>(place) - 1;
+    place *= kShorter;
     const Pose to = pose_on_trace(i);
     if (connect_to(node, to, 1)) ++hits;
     if (faces_away(nodes_[node].pose, to)) connect_to(node, facing_back(to), 1);

@@ -71,7 +71,7 @@ class HybridSearch {
     Index parent;
     Index first_motion;  // in motions_
     std::uint16_t motion_count;
-    std::int8_t gear;  // of the last motion that had one
+    int gear;          // of the last motion that had one
     bool exact;        // is h that of the settled field?
     bool traced;       // made by a trace
     std::uint8_t age;  // primitives since the last trace

@@ -50,8 +50,9 @@ class PoseTable {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)) + (1 << 24));
     };
     const double turn = pose.heading / (2 * kPi);
-    const auto heading = static_cast<std::uint64_t>((turn - std::floor(turn)) * headings_ + 0.5) %
-                         static_cast<std::uint64_t>(headings_);
+    const auto nearest =
+        static_cast<std::uint64_t>(std::lround((turn - std::floor(turn)) * headings_));
+    const std::uint64_t heading = nearest % static_cast<std::uint64_t>(headings_);
     return (box(pose.x / size_) << 38U | box(pose.y / size_) << 12U) | heading;
   }
 

@@ -47,9 +47,9 @@ class CoarseGrid {
   }
   /// The middle of a square.
   Point middle(std::size_t square) const {
-    const auto column = static_cast<double>(square % stride_) - 1;
-    const auto row = static_cast<double>(square / stride_) - 1;
-    return {(column + 0.5) * size_, (row + 0.5) * size_};
+    const std::size_t column = square % stride_;
+    const std::size_t row = square / stride_;
+    return {(static_cast<double>(column) - 0.5) * size_, (static_cast<double>(row) - 0.5) * size_};
   }
 
   int columns() const { return static_cast<int>(stride_) - 2; }

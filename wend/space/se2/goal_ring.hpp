@@ -64,13 +64,13 @@ class GoalRing {
     double y;
     double heading;
 
-    Place(const Pose& pose, const Pose& goal, double unit) {
+    Place(const Pose& pose, const Pose& goal, double unit)
+        : heading(wrapped_angle(pose.heading - goal.heading)) {
       const auto [sine, cosine] = sine_and_cosine(goal.heading);
       const double dx = (pose.x - goal.x) / unit;
       const double dy = (pose.y - goal.y) / unit;
       x = cosine * dx + sine * dy;
       y = cosine * dy - sine * dx;
-      heading = wrapped_angle(pose.heading - goal.heading);
       if (y < 0) {
         y = -y;
         heading = -heading;
