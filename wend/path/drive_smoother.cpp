@@ -143,7 +143,9 @@ class DriveSweeps {
   }
 
   double improve(std::size_t first, std::size_t end) {
-    auto window = *window_of(first, end, true);
+    auto made = window_of(first, end, true);
+    if (!made) return 0;
+    auto& window = *made;
     ++windows_;
     const double before = window.objective();
     bool blocked = false;

@@ -162,7 +162,7 @@ DriveWindow::Numbers DriveWindow::residuals_of(std::span<const DrivePiece> piece
     residuals.push_back(std::sqrt(objective_.length_weight * way));
     last = curvature;
   }
-  const double change = after_ ? (*after_ - *last) * radius : 0;
+  const double change = after_ && last ? (*after_ - *last) * radius : 0;
   residuals.push_back(std::sqrt(objective_.change_weight) * change);
   if (objective_.clearance <= 0) return residuals;
   const std::vector<Pose> poses = poses_of(pieces);
@@ -204,9 +204,9 @@ DriveWindow::Numbers DriveWindow::full_step() const {
   for (int round = 0; round < kRounds; ++round) {
     Equations equations(count + kEnd);
     for (std::size_t i = 0; i < count; ++i) {
-      if (fixed[i]) {
+      if (const std::optional<double>& value = fixed[i]) {
         equations.at(i, i) = 1;
-        equations.right(i) = *fixed[i];
+        equations.right(i) = *value;
         continue;
       }
       for (std::size_t j = 0; j < count; ++j) {
