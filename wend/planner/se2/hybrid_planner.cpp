@@ -191,14 +191,14 @@ std::uint64_t HybridPlanner::do_state_count() const {
 }
 
 /// What the last run has learned, if it was of this query.
-NoDrive HybridPlanner::why_no_drive(const Query& query) const {
+WhyNoDrive HybridPlanner::why_no_drive(const Query& query) const {
   const auto place = place_for(query.goals.front());
   const Cell start = cell_at(query.start.point());
-  if (place && !ground_->connected(start, cell_at(place->pose.point()))) return NoDrive::parted;
-  if (!search_ || goals_.empty()) return NoDrive::not_found;
-  if (search_->goal_is_boxed_in()) return NoDrive::goal_boxed_in;
+  if (place && !ground_->connected(start, cell_at(place->pose.point()))) return WhyNoDrive::parted;
+  if (!search_ || goals_.empty()) return WhyNoDrive::not_found;
+  if (search_->goal_is_boxed_in()) return WhyNoDrive::goal_boxed_in;
   constexpr std::uint64_t kFew = 2000;  // poses of all searches: the first turns of each
-  return search_->metrics().expanded <= kFew ? NoDrive::start_boxed_in : NoDrive::not_found;
+  return search_->metrics().expanded <= kFew ? WhyNoDrive::start_boxed_in : WhyNoDrive::not_found;
 }
 
 std::string HybridPlanner::do_reason(const Query& query, Status status) const {

@@ -157,27 +157,27 @@ HybridResolution finest_resolution(HybridResolution first) {
   return first;
 }
 
-std::string reason_of_no_drive(NoDrive why, const FreeSpace& space, const Query& query,
+std::string reason_of_no_drive(WhyNoDrive why, const FreeSpace& space, const Query& query,
                                const HybridResolution& finest) {
   const std::string start = start_of(query);
   const std::string goal = goals_of(query);
   const std::string at_finest = "at the finest resolution (" + resolution_text(space, finest) + ")";
   switch (why) {
-    case NoDrive::parted:
+    case WhyNoDrive::parted:
       return "no way leads from " + start + " to " + goal +
              (space.is_point()
                   ? std::string(": obstacles part them")
                   : ", not even for the largest disc within the robot, with a radius of " +
                         length_text(space, space.inscribed_radius_in_cells()) +
                         ": obstacles part them");
-    case NoDrive::goal_boxed_in:
+    case WhyNoDrive::goal_boxed_in:
       return (query.goals.size() == 1
                   ? goal
                   : "each of the " + std::to_string(query.goals.size()) + " goals") +
              " is boxed in: no drive reaches it from farther away " + at_finest;
-    case NoDrive::start_boxed_in:
+    case WhyNoDrive::start_boxed_in:
       return start + " is boxed in: the robot cannot get away from it " + at_finest;
-    case NoDrive::not_found:
+    case WhyNoDrive::not_found:
       return "no drive leads from " + start + " to " + goal + ' ' + at_finest;
   }
   return {};

@@ -12,7 +12,7 @@
 namespace wend {
 
 /// How a search without a drive ended.
-enum class NoDrive {
+enum class WhyNoDrive {
   parted,          // not even the largest disc within the robot gets from the start to the goal
   goal_boxed_in,   // no drive comes from farther away than a few lengths of the robot
   start_boxed_in,  // the same for drives that leave the start
@@ -34,7 +34,7 @@ std::string reason_of_blocked_goal(const FreeSpace& space, const Query& query);
 HybridResolution finest_resolution(HybridResolution first);
 
 /// Why the query is unreachable.
-std::string reason_of_no_drive(NoDrive why, const FreeSpace& space, const Query& query,
+std::string reason_of_no_drive(WhyNoDrive why, const FreeSpace& space, const Query& query,
                                const HybridResolution& finest);
 
 }  // namespace wend
