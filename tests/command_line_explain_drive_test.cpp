@@ -49,10 +49,11 @@ class ExplainDrive : public testing::Test {
 TEST_F(ExplainDrive, NamesTheCornerThatTouches) {
   const Outcome outcome = explain(sideways_);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out, AllOf(StartsWith("there is no drive from start (3,2,E) to goal (5,7,E)\n"),
-                                 HasSubstr("does not fit at the goal"),
-                                 HasSubstr("right corner"), HasSubstr("right corner lies in the obstacle cell (3,8)"),
-                                 HasSubstr("would help        a footprint of at most")));
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("there is no drive from start (3,2,E) to goal (5,7,E)\n"),
+                    HasSubstr("does not fit at the goal"), HasSubstr("right corner"),
+                    HasSubstr("right corner lies in the obstacle cell (3,8)"),
+                    HasSubstr("would help        a footprint of at most")));
 }
 
 TEST_F(ExplainDrive, SaysWhatHelpsAndItHelps) {

@@ -307,7 +307,7 @@ class FreeSpace:
         >>> why.drive_exists, why.turning_radius is not None and why.turning_radius < 12
         (False, True)
         """
-        return DriveExplanation(*self._inner.explain_drive(start, goal, options))
+        return DriveExplanation(*self._inner.explain_drive(start, goal, text_of(options)))
 
     def fits(self, pose: Pose) -> bool:
         """May the robot stand at (x, y) or (x, y, heading)? Without a heading: at the heading 0.

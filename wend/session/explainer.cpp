@@ -242,6 +242,13 @@ std::vector<std::string> Explainer::changes(const NoDrive& why) const {
   return changes;
 }
 
+std::string Explainer::explain(const NoDrive& why) const {
+  if (why.drive_exists()) return "there is a drive";
+  const auto helps = changes(why);
+  if (helps.empty()) return why.reason;
+  return why.reason + ". A drive exists with " + joined_texts(helps, "; or ");
+}
+
 std::string Explainer::width(const WidestPath& widest) const {
   if (std::isinf(widest.radius)) return "of any size: no obstacle is in the way";
   return "with a radius of up to " + units_.length(widest.radius) + ", narrowest at " +
