@@ -11,6 +11,7 @@
 
 #include "conformance/answer.hpp"
 #include "conformance/checks.hpp"
+#include "conformance/driven_path.hpp"
 #include "wend/base/random.hpp"
 #include "wend/path/path_collision.hpp"
 
@@ -56,6 +57,22 @@ void hold_to_its_ends(Examination& examination, const Plan& plan, const Query& q
                       says(poses.back(), plan.goal_snapping_error));
 }
 
+/// Places the robot all along the path, by code of the suite's own.
+void hold_to_places(Examination& examination, const Plan& plan, const Query& query,
+                    const FreeSpace& space) {
+  const auto snapped = [](const SnappingError& error) {
+    return std::max(error.distance, error.turn);
+  };
+  const double snapping =
+      std::max(snapped(plan.start_snapping_error), snapped(plan.goal_snapping_error));
+  const DriveReport report = checked_drive(
+      space, plan.path, query,
+      {.turns_in_place = true, .moves_aside = true, .end_tolerance = snapping + kNear});
+  if (!report.fault.empty()) {
+    examination.violate("a path along which the robot fits", "one that " + report.fault);
+  }
+}
+
 void hold_to_its_poses(Examination& examination, const Plan& plan, const Query& query,
                        const FreeSpace& space, double spacing) {
   const auto poses = plan.path.driven_poses();
@@ -66,6 +83,7 @@ void hold_to_its_poses(Examination& examination, const Plan& plan, const Query& 
                         fmt::format("at ({},{}) it {}", collision->point.x, collision->point.y,
                                     describe(collision->kind)));
   }
+  hold_to_places(examination, plan, query, space);
   const std::string says = fmt::format("cost {}, bound {}", plan.cost, plan.bound);
   if (!(plan.cost >= 0 && plan.cost < kInfinite && plan.bound >= 1)) {
     examination.violate("a finite cost, and a bound of at least 1", says);

@@ -6,6 +6,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
@@ -20,6 +21,7 @@
 #include "wend/control/follower.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/generate/generators.hpp"
+#include "wend/geometry/curve.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/wend.h"
@@ -228,6 +230,20 @@ TEST_P(Allocation, OfAPlannerIsAtMost21BytesACellOr24APose) {
     planner->update(space);
     EXPECT_LE(bytes_in_use() - before, most) << "after an update";
   }
+}
+
+TEST(CurveAllocation, OfWordsIsNone) {
+  std::array<Curve, 48> words;
+  const std::size_t before = allocations;
+  int found = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Pose to{i / 7.0, i / 11.0, i / 13.0};
+    found += reeds_shepp_words({1, 2, 3}, to, 1, {}, kNoBound, words);
+    found += dubins_words({1, 2, 3}, to, 1, {}, kNoBound, words);
+    found += simple_words({1, 2, 3}, to, 1, {}, kNoBound, words);
+  }
+  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_GT(found, 100 * 20);
 }
 
 TEST(FollowerAllocation, OfADriveIsNone) {

@@ -102,6 +102,9 @@ static void check_plan(wend_session* session, const wend_request* request) {
   CHECK(wend_plan_cost(plan) == 6 && wend_plan_length(plan) == 3 && wend_plan_bound(plan) == 1);
   CHECK(wend_plan_expanded(plan) > 0 && wend_plan_generated(plan) >= wend_plan_expanded(plan));
   wend_plan_free(plan);
+  CHECK(wend_session_replan(session, request, &plan, NULL) == WEND_OK);
+  CHECK(wend_plan_cost(plan) == 6);
+  wend_plan_free(plan);
 }
 
 static void check_field(wend_session* session, const wend_request* request) {
@@ -122,6 +125,7 @@ static void check_session(void) {
   const wend_pose start = {0.25, 0.25, 0};
   const wend_pose goal = {2.25, 1.25, NAN};
   const uint8_t occupied = 1;
+  const double dear = 3;
   wend_map* map = make_map();
   wend_robot* robot = make_robot();
   wend_session* session = NULL;
@@ -132,6 +136,7 @@ static void check_session(void) {
   CHECK(wend_session_create(map, robot, &options, &session, NULL) == WEND_OK);
   CHECK(wend_session_set_map(session, map, NULL) == WEND_OK);
   CHECK(wend_session_edit(session, 2, 0, 1, 1, &occupied, 1, NULL) == WEND_OK);
+  CHECK(wend_session_edit_terrain(session, 4, 0, 1, 1, &dear, 1, NULL) == WEND_OK);
   CHECK(wend_session_set_map(session, map, NULL) == WEND_OK);
   CHECK(wend_session_set_robot(session, robot, NULL) == WEND_OK);
   wend_robot_free(robot);

@@ -77,7 +77,7 @@ TEST(ColoursPage, ListsTheColoursOfPlots) {
   const std::string text = page();
   for (const std::string name :
        {"astar, p", "dijkstra, p_moving", "jps, pid", "hub_labels, pure_pursuit",
-        "corner_hierarchy", "boost-astar", "greedy", "bfs", "dfs", "random_walk", "car",
+        "corner_hierarchy, stanley", "boost-astar", "greedy", "bfs", "dfs", "random_walk", "car",
         "theta_star", "lazy_theta_star", "lattice", "alt", "replanner", "d_star_lite",
         "hybrid_astar", "others"}) {
     const std::vector<std::string> first{name.substr(0, name.find(','))};

@@ -182,8 +182,8 @@ TEST_F(LatticeCommand, SaysWhatIsWrong) {
               HasSubstr("turning_radius changes nothing: the robot has motion primitives"));
   EXPECT_THAT(error_of({"--planner", "lattice", "--ways-back"}),
               HasSubstr("ways_back changes nothing without motion primitives"));
-  EXPECT_THAT(error_of({"--planner", "lattice", "--smooth"}),
-              HasSubstr("support grid planners only"));
+  EXPECT_THAT(error_of({"--planner", "lattice", "--simplify"}),
+              HasSubstr("--simplify supports grid planners only"));
 }
 
 }  // namespace

@@ -163,7 +163,8 @@ TEST_F(SmoothCommand, RefusesToPlanWhatCannotBeSmoothed) {
   EXPECT_THAT(plan({"--smooth=x"}).err, HasSubstr("--smooth: 'x' is not ALPHA,BETA"));
   EXPECT_THAT(plan({"--unsafe"}).err, HasSubstr("--unsafe needs --smooth"));
   EXPECT_THAT(
-      wend({"plan", map_, "--planner", "car", "--start", "0,0,E", "--goal", "9,0", "--smooth"}).err,
+      wend({"plan", map_, "--planner", "car", "--start", "0,0,E", "--goal", "9,0", "--simplify"})
+          .err,
       HasSubstr("consists of arcs"));
 }
 

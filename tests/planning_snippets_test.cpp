@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@
 #include "wend/io/map/load_map.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/dense_poses.hpp"
+#include "wend/path/drive_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/outline_poses.hpp"
 #include "wend/path/path_collision.hpp"
@@ -85,6 +87,12 @@ TEST(Snippets, OfSmoothingAndSimplification) {
   const auto drivable = wend::smooth_by_curvature(plan->path, space, {.radius = 4});
   if (drivable && !drivable->within_bound) report("too tight");
   EXPECT_TRUE(drivable);
+  [&, plan = std::make_unique<wend::Plan>()] {
+    plan->path = wend::Path::through({{1.5, 0.5, 0}, {2, 0.5, 0}});
+    const auto smoothed = wend::smooth_drive(plan->path, space, {.turning_radius = 0.4});
+    if (!smoothed) return report(smoothed.error().message);
+    EXPECT_EQ(smoothed->path, plan->path) << "a line";
+  }();
   EXPECT_TRUE(reported.empty()) << reported;
 
   const wend::Path fewer = wend::without_collinear(plan->path);
@@ -462,6 +470,10 @@ TEST(Snippets, OfTypedOptions) {
   const auto robot = wend::make_planner(space, wend::LatticeOptions{.turning_radius = 0.4});
   EXPECT_TRUE(car);
   EXPECT_TRUE(robot);
+  {
+    const auto planner = wend::make_planner(space, wend::HybridAStarOptions{.turning_radius = 0.4});
+    EXPECT_TRUE(planner);
+  }
   const wend::OptionValues values = wend::option_values(wend::AStarOptions{.weight = 2});
   EXPECT_EQ(values, (wend::OptionValues{{"weight", "2"}}));
 }

@@ -278,6 +278,14 @@ WEND_C_API wend_status wend_session_edit(wend_session* session, int32_t x, int32
                                          int32_t height, const uint8_t* states, size_t size,
                                          wend_error* error);
 
+/// The same for costs: `terrain` are `count` = `width` * `height` multipliers of a unit of length, finite and at
+/// least 1, row by row; the first is for cell (x, y). Cells stay free, blocked or unknown. Fails with
+/// WEND_INVALID_ARGUMENT or WEND_INVALID_MAP.
+WEND_C_API wend_status wend_session_edit_terrain(wend_session* session, int32_t x, int32_t y,
+                                                 int32_t width, int32_t height,
+                                                 const double* terrain, size_t count,
+                                                 wend_error* error);
+
 /// Replaces the robot; null: a point. Calls that have begun end with the old one.
 WEND_C_API wend_status wend_session_set_robot(wend_session* session, const wend_robot* robot,
                                               wend_error* error);
@@ -320,6 +328,13 @@ typedef struct wend_plan wend_plan;
 /// Free the plan with wend_plan_free().
 WEND_C_API wend_status wend_session_plan(wend_session* session, const wend_request* request,
                                          wend_plan** plan, wend_error* error);
+
+/// Plans like wend_session_plan(), for a robot that drives while its map changes: with a planner that keeps what
+/// it found for the next call and repairs it after edits, "replanner" with the moves of the request's planner, or
+/// that planner itself if it resumes. The path costs as much as if it were planned from scratch; nothing was
+/// expanded if the rest of the last path is still the cheapest.
+WEND_C_API wend_status wend_session_replan(wend_session* session, const wend_request* request,
+                                           wend_plan** plan, wend_error* error);
 
 /// The number of poses, at least 1; 0 for null.
 WEND_C_API size_t wend_plan_pose_count(const wend_plan* plan);

@@ -1,25 +1,14 @@
 #include "bench/car/car_runs.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <fstream>
 #include <limits>
 
+#include "bench/measure/measuring.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::bench {
 namespace {
-
-/// Memory of this process that is in use.
-double resident_bytes() {
-  std::ifstream pages("/proc/self/statm");
-  double all = 0;
-  double resident = 0;
-  pages >> all >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 /// Memory that a new planner takes for its first search, per generated state.
 double bytes_a_state(const Yard& yard, const PlannerSpec& spec) {

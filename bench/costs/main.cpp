@@ -125,6 +125,17 @@ double making_of(const std::string& name, const FreeSpace& space) {
   return thread_cpu_seconds() - begun;
 }
 
+/// By how much of itself a cost is at most above that of the yardstick; infinite if a cell lacks a cost.
+double greatest_excess(const Grid<double>& costs, const Grid<double>& yardstick) {
+  double most = 0;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const double expected = yardstick.values()[i];
+    if (costs.values()[i] == expected) continue;
+    most = std::max(most, costs.values()[i] / expected - 1);
+  }
+  return most;
+}
+
 /// Making the planner, and its first query.
 double first_query(const FreeSpace& space, const CellPair& pair) {
   const double begun = thread_cpu_seconds();
@@ -171,24 +182,46 @@ void measure_queries(const std::vector<NamedMap>& maps, std::uint64_t queries, i
   fmt::print("{}", table.text());
 }
 
-/// Costs to go from the middle of a map of rooms.
+/// Costs to go of all cells of a map, to a cell drawn at random.
+std::vector<std::string> field_row(const std::string& name, const FreeSpace& space, int rounds) {
+  const Cell goal = random_pairs(space, 1, kSeed).front().goal;
+  const double begun = thread_cpu_seconds();
+  const Grid<double> yardstick = real_costs_to_go(space, goal);
+  const double before = thread_cpu_seconds() - begun;
+  double least = INFINITY;
+  double excess = 0;
+  std::uint64_t expanded = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const double started = thread_cpu_seconds();
+    const auto field = CostToGo::make(space, std::array{goal});
+    least = std::min(least, thread_cpu_seconds() - started);
+    if (!field) fail(field.error().message);
+    expanded = field->metrics().expanded;
+    excess = greatest_excess(field->costs(), yardstick);
+  }
+  return {name,
+          fmt::format("{:.0f}", before * 1e3),
+          fmt::format("{:.0f}", least * 1e3),
+          fmt::format("{}", expanded),
+          fmt::format("{:.1f}", before / least),
+          fmt::format("{:.1g}", excess)};
+}
+
 void measure_fields(int size, int rounds) {
-  MarkdownTable table({{"cost to go"}, {"ms"}, {"cells"}});
-  const GridMap map = generated("rooms", size, size);
-  for (const double distance : {0.0, kClearanceDistance}) {
-    const FreeSpace space = *make_free_space(map, {.clearance_distance = distance});
-    const auto pairs = random_pairs(space, 1, kSeed);
-    double least = INFINITY;
-    std::uint64_t expanded = 0;
-    for (int round = 0; round < rounds; ++round) {
-      const double begun = thread_cpu_seconds();
-      const auto field = CostToGo::make(space, std::array{pairs.front().goal});
-      least = std::min(least, thread_cpu_seconds() - begun);
-      if (!field) fail(field.error().message);
-      expanded = field->metrics().expanded;
+  MarkdownTable table({{"cost to go"},
+                       {"doubles and heap, ms"},
+                       {"CostToGo, ms"},
+                       {"cells"},
+                       {"times as fast"},
+                       {"dearer by, at most"}});
+  for (const char* kind : {"rooms", "warehouse", "office"}) {
+    const GridMap map = generated(kind, size, size);
+    for (const double distance : {0.0, kClearanceDistance}) {
+      const FreeSpace space = *make_free_space(map, {.clearance_distance = distance});
+      table.add(field_row(
+          fmt::format("{0} {1} x {1}, {2}", kind, size, distance == 0 ? "uniform" : "inflated"),
+          space, rounds));
     }
-    table.add({fmt::format("rooms {0} x {0}, {1}", size, distance == 0 ? "uniform" : "inflated"),
-               fmt::format("{:.0f}", least * 1e3), fmt::format("{}", expanded)});
   }
   fmt::print("\n{}", table.text());
 }
@@ -204,18 +237,18 @@ int main(int argc, char** argv) {
   CLI::App app("Times searches on cells with costs, and fields of costs to go, in CPU time.");
   app.add_option("--maps", folder, "folder with depot.yaml and 100by100_10.yaml")
       ->capture_default_str();
-  app.add_option("--queries", queries, "random connected pairs of cells for each map")
-      ->check(CLI::Range(1, 100000))
+  app.add_option("--queries", queries, "random connected pairs of cells for each map; 0: none")
+      ->check(CLI::Range(0, 100000))
       ->capture_default_str();
   app.add_option("--rounds", rounds, "timed runs of everything; the fastest counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--field", field, "columns and rows of the map of the fields; 0: none")
+  app.add_option("--field", field, "columns and rows of the maps of the fields; 0: none")
       ->check(CLI::Range(0, 16384))
       ->capture_default_str();
   return wend::bench::parse_and_run(app, argc, argv, [&] {
     wend::bench::stay_on_one_core();
-    wend::bench::measure_queries(wend::bench::maps_of(folder), queries, rounds);
+    if (queries > 0) wend::bench::measure_queries(wend::bench::maps_of(folder), queries, rounds);
     if (field > 0) wend::bench::measure_fields(field, rounds);
     return 0;
   });

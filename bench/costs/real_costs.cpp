@@ -1,10 +1,13 @@
 #include "bench/costs/real_costs.hpp"
 
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/search/forward_search.hpp"
+#include "wend/search/frontiers.hpp"
 #include "wend/space/grid/grid_space.hpp"
 
 namespace wend::bench {
@@ -42,6 +45,24 @@ class RealGrid {
   std::vector<double> multipliers_;
 };
 
+/// g alone; no cell is a goal.
+struct Everywhere {
+  using Key = RealKey<double>;
+
+  Key key(const GridState& /*state*/, double g) const { return {g, g}; }
+  bool is_goal(const GridState& /*state*/) const { return false; }
+  bool near_overflow(const Key& /*key*/) const { return false; }
+};
+
+/// Writes down the cost of every cell as it is expanded.
+struct CostWriter {
+  Grid<double>& costs;
+
+  void on_expand(const GridState& state, Move, double g) const { costs[state.cell] = g; }
+  void on_generate(const GridState&, Move, double) const {}
+  void on_relax(const GridState&, Move, double) const {}
+};
+
 }  // namespace
 
 std::unique_ptr<GridEngine> real_cost_engine(const FreeSpace& space) {
@@ -49,6 +70,18 @@ std::unique_ptr<GridEngine> real_cost_engine(const FreeSpace& space) {
                               DuplicateRule::keep_cheaper>;
   return std::make_unique<Engine>(RealGrid(space),
                                   RealEstimate<RealGrid>(HeuristicKind::octile, 0, 1, 1));
+}
+
+Grid<double> real_costs_to_go(const FreeSpace& space, Cell goal) {
+  using Search = ForwardSearch<RealGrid, HeapFrontier<RealKey<double>>, Everywhere,
+                               DuplicateRule::keep_cheaper>;
+  Grid<double> costs(space.width(), space.height(), std::numeric_limits<double>::infinity());
+  Search search(RealGrid(space), {});
+  CostWriter writer{costs};
+  const Limits limits;
+  search.begin(std::vector{search.space().state(goal)}, limits, writer);
+  search.run(writer);
+  return costs;
 }
 
 }  // namespace wend::bench

@@ -8,6 +8,9 @@ namespace wend::bench {
 /// time (wend/base/thread_time.hpp).
 double wall_seconds();
 
+/// Bytes of memory that this process has in use, after it has given back what it does not use.
+double resident_bytes();
+
 /// Keeps this process on the processor that it runs on, as far as the system lets it.
 void stay_on_one_core();
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kColours = kLightPlot.names.size();
 
 /// Planners are never compared with controllers.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 22> kOwn{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 23> kOwn{{
     {"astar", 0},
     {"dijkstra", 1},
     {"jps", 2},
@@ -34,6 +34,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 22> kOwn{{
     {"p_moving", 1},
     {"pid", 2},
     {"pure_pursuit", 3},
+    {"stanley", 4},
 }};
 
 /// "car:weight=2" has the colour of "car".

@@ -57,18 +57,22 @@ OptionValues weights_of(const std::string& typed) {
 
 void RefineArguments::add_to(Parser& app) {
   add_points_to(app);
-  add_optional_text(app, "--smooth", smooth,
-                    "Smooth the path, clear of obstacles. ALPHA holds each point at its original "
-                    "position, BETA pulls neighbouring points together (default 0.1,0.3)")
+  add_optional_text(
+      app, "--smooth", smooth,
+      "Smooth the path, clear of obstacles. ALPHA holds each point at its original "
+      "position, BETA pulls neighbouring points together (default 0.1,0.3). Of a path of "
+      "poses: its arcs become wider, ALPHA weighs changes of curvature, BETA curvature")
       .type_name("[ALPHA,BETA]");
-  app.add_option("--smoother", smoother,
-                 wrapped("Smoother (default gradient); options may follow, as in "
-                         "curvature:turning_radius=0.4. `wend smooth --help` lists them"))
+  app.add_option(
+         "--smoother", smoother,
+         wrapped("Smoother (default gradient; of a path of poses drive); options may follow, as in "
+                 "curvature:turning_radius=0.4. `wend smooth --help` lists them"))
       .type_name(kSmootherType);
-  add_number(app, "--turning-radius", turning_radius, kRadii,
-             "Lower limit on the turning radius (units as --robot-radius), for --planner "
-             "lattice, --planner car, where it is rounded up to whole cells, or --smoother "
-             "curvature");
+  add_number(
+      app, "--turning-radius", turning_radius, kRadii,
+      "Lower limit on the turning radius (units as --robot-radius), for --planner "
+      "lattice, --planner hybrid_astar, --planner car, where it is rounded up to whole cells, or "
+      "--smoother curvature");
   app.add_flag("--unsafe", unsafe, wrapped("Smooth without a collision check"));
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/arguments/input_files.hpp"
+#include "cli/arguments/planner_argument.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/follow_run.hpp"
 #include "cli/output/gnuplot.hpp"
@@ -92,13 +93,17 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   }
 }
 
-/// The obstacles for a disc that is larger than the one around the robot by the margin.
+/// For a robot that is larger by the margin: its shape for planners that choose headings, and for others the disc
+/// around it.
 FreeSpace planning_space(const FollowArguments& arguments, const FreeSpace& space) {
   const GridMap& map = space.map();
   MapArguments larger = arguments.map;
   const double per_unit = larger.coordinates(map).in_metres(1);
-  larger.footprint = Footprint::disc(larger.footprint.circumscribed_radius() +
-                                     arguments.margin.value_or(kMargin / per_unit));
+  const double margin = arguments.margin.value_or(kMargin / per_unit);
+  const bool headings = info_of(parse_planner(arguments.planner)).capabilities.headings;
+  larger.footprint = headings && arguments.path.empty()
+                         ? larger.footprint.grown(margin)
+                         : Footprint::disc(larger.footprint.circumscribed_radius() + margin);
   return value_or_throw(make_free_space(space.obstacles(), larger.options(map).robot()));
 }
 

@@ -47,11 +47,11 @@ PlanRun::PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec p
       refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()))) {
   result_.times = times;
   asked_->check(arguments.layers);
-  if (!arguments.refine.any() || !info_of(spec_).capabilities.headings) return;
-  throw InputError(
-      fmt::format("--simplify, --smooth and --resample support grid planners only: the path of the "
-                  "planner {} consists of arcs",
-                  spec_.name));
+  const bool arcs = info_of(spec_).capabilities.headings;
+  if (!arcs || !refinement_.simplify) return;
+  throw InputError(fmt::format(
+      "--simplify supports grid planners only: the path of the planner {} consists of arcs",
+      spec_.name));
 }
 
 /// On large maps a search is slowed down only for those who ask for what it did.
@@ -240,7 +240,12 @@ void PlanRun::fail(Status status, std::string reason) {
 Scene PlanRun::outcome() const {
   Scene scene = asked_->scene();
   if (result_.refined) {
-    scene.lines = lines_of(*result_.refined);
+    const Path& refined = result_.refined->refined.path;
+    if (refined.driven()) {
+      scene.path = refined;
+    } else {
+      scene.lines = lines_of(*result_.refined);
+    }
     return scene;
   }
   const bool walked = spec_.name == "random_walk" && recorder_;

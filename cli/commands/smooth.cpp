@@ -81,14 +81,19 @@ std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
   const OptionValues flags = arguments.options.values_for(choice.name);
   choice.options.insert(choice.options.end(), flags.begin(), flags.end());
   if (arguments.turning_radius) {
-    if (!has_option(smoothers().find(choice.name)->options, "radius")) {
+    const std::vector<OptionInfo>& known = smoothers().find(choice.name)->options;
+    if (has_option(known, "radius")) {
+      choice.options.emplace_back("radius",
+                                  format_number(coordinates.in_cells(*arguments.turning_radius)));
+    } else if (has_option(known, "turning_radius")) {
+      choice.options.emplace_back("turning_radius",
+                                  format_number(coordinates.in_metres(*arguments.turning_radius)));
+    } else {
       throw InputError(
           fmt::format("--turning-radius changes nothing: the smoother {} has no turning radius; "
-                      "add --smoother curvature",
+                      "add --smoother curvature or, for a path of poses, --smoother drive",
                       choice.name));
     }
-    choice.options.emplace_back("radius",
-                                format_number(coordinates.in_cells(*arguments.turning_radius)));
   }
   return choice;
 }
@@ -202,12 +207,14 @@ void add_smoothers(Parser& app, SmoothArguments& arguments) {
     std::erase_if(options, is_said_by_a_flag);
     arguments.options.collect(smoother.name, options);
   }
-  app.add_option("--smoother", arguments.smoother,
-                 wrapped("Smoother (default gradient). " + names + "none"))
+  app.add_option(
+         "--smoother", arguments.smoother,
+         wrapped("Smoother (default gradient; of a path of poses drive). " + names + "none"))
       .type_name(kSmootherType);
   add_number(
       app, "--turning-radius", arguments.turning_radius, kSmoothedRadii,
-      "Lower limit on the turning radius, for --smoother curvature (units as --robot-radius)");
+      "Lower limit on the turning radius, for --smoother curvature and --smoother drive (units as "
+      "--robot-radius)");
   arguments.points.add_points_to(app);
   arguments.trajectory.add_file_to(app);
   arguments.trajectory.add_limits_to(app);

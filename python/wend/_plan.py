@@ -140,9 +140,10 @@ class Plan:
         """A smoother path that touches no obstacle: simplified, then smoothed, then resampled, as far as each is asked
         for.
 
-        :param smoother: a name from ``wend.smoothers()``; `options` are its options. None: not smoothed.
+        :param smoother: a name from ``wend.smoothers()``; `options` are its options. None: not smoothed. A path of
+            poses takes ``"drive"`` in place of ``"gradient"``.
         :param spacing: metres between the points of the result.
-        :raises ValueError: an option that is not valid, or a path of poses, which cannot be smoothed.
+        :raises ValueError: an option that is not valid, or a path of poses that is to be simplified.
 
         >>> import wend
         >>> plan = wend.Map([[0] * 9] * 5).free_space().plan((0, 0), (8, 4))

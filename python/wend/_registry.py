@@ -91,7 +91,7 @@ def smoothers() -> tuple[SmootherInfo, ...]:
 
     >>> import wend
     >>> [smoother.name for smoother in wend.smoothers()]
-    ['gradient', 'curvature']
+    ['gradient', 'curvature', 'drive']
     """
     return tuple(SmootherInfo(**_with_options(entry)) for entry in _core.smoothers())
 

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
+#include "wend/base/large_pages.hpp"
 #include "wend/planner/grid/cost_field.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/search/forward_search.hpp"
@@ -18,6 +20,16 @@ namespace wend {
 namespace {
 
 constexpr std::uint8_t kNoDirection = kDirections;
+
+/// By a Move from the goal.
+constexpr auto kWaysBack = [] {
+  std::array<std::uint8_t, kNoMove + 1> ways{};
+  ways.fill(kNoDirection);
+  for (unsigned i = 0; i < kDirections; ++i) {
+    ways[i] = static_cast<std::uint8_t>(opposite(static_cast<Direction>(i)));
+  }
+  return ways;
+}();
 
 /// The priority of a search that goes everywhere: g, and no cell is a goal.
 template <class KeyOf>
@@ -44,7 +56,10 @@ template <class Space>
 class FieldWriter {
  public:
   FieldWriter(const FreeSpace& space, Grid<double>& costs, Grid<std::uint8_t>& policy)
-      : space_(space), costs_(costs), policy_(policy) {}
+      : space_(space), costs_(costs), policy_(policy) {
+    costs = {space.width(), space.height(), std::numeric_limits<double>::infinity()};
+    policy = {space.width(), space.height(), kNoDirection};
+  }
 
   void on_expand(const GridState& state, Move arrival, typename Space::Cost g) {
     costs_[state.cell] = static_cast<double>(g) / Space::kUnitsPerCell;
@@ -92,38 +107,59 @@ struct FieldParts {
   SearchMetrics& metrics;
 };
 
+/// A grid that is appended row by row, so that its memory is touched once.
+template <class Value>
+class GrowingGrid {
+ public:
+  GrowingGrid(int width, int height)
+      : width_(width), height_(height), row_(static_cast<std::size_t>(width)) {
+    const std::size_t cells = row_.size() * static_cast<std::size_t>(height);
+    values_.reserve(cells);
+    ask_for_large_pages(values_.data(), cells * sizeof(Value));
+  }
+
+  /// The row to write, every cell of it.
+  std::span<Value> row() { return row_; }
+  void append() { values_.insert(values_.end(), row_.begin(), row_.end()); }
+  Grid<Value> take() && { return {width_, height_, std::move(values_)}; }
+
+ private:
+  int width_;
+  int height_;
+  std::vector<Value> row_;
+  std::vector<Value> values_;
+};
+
 template <class Field>
-SearchOutcome fill(Field field, std::span<const Cell> goals, const Limits& limits,
-                   const FieldParts& parts) {
+SearchOutcome fill(Field field, const FreeSpace& space, std::span<const Cell> goals,
+                   const Limits& limits, const FieldParts& parts) {
   const SearchOutcome outcome = field.run(goals, limits);
   parts.metrics = field.metrics();
   if (outcome != SearchOutcome::exhausted) return outcome;
-  for (int y = 0; y < parts.costs.height(); ++y) {
-    const auto costs = parts.costs.row(y);
-    const auto policy = parts.policy.row(y);
-    for (int x = 0; x < parts.costs.width(); ++x) {
-      const Cell cell{x, y};
-      if (!field.reached(cell)) continue;
+  GrowingGrid<double> costs(space.width(), space.height());
+  GrowingGrid<std::uint8_t> policy(space.width(), space.height());
+  for (int y = 0; y < space.height(); ++y) {
+    for (int x = 0; x < space.width(); ++x) {
       const auto at = static_cast<std::size_t>(x);
-      costs[at] = field.cost(cell);
-      const Move arrival = field.arrival(cell);
-      if (arrival == kNoMove) continue;
-      policy[at] = static_cast<std::uint8_t>(opposite(static_cast<Direction>(arrival)));
+      costs.row()[at] = field.cost({x, y});
+      policy.row()[at] = kWaysBack[field.arrival({x, y})];
     }
+    costs.append();
+    policy.append();
   }
+  parts.costs = std::move(costs).take();
+  parts.policy = std::move(policy).take();
   return outcome;
 }
 
-/// In whole numbers of 32 bits, or of 64 if they do not do.
+/// In nodes of 64 bits, or wide ones if these do not do.
 template <class Word, class Units, class WideUnits>
-Status fill_by(const CostGrid<Word>& grid, std::span<const Cell> goals, const Limits& limits,
-               const FieldParts& parts) {
-  SearchOutcome outcome = SearchOutcome::cost_overflow;
-  if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
-    outcome = fill(CostField<std::uint32_t, Word, Units>(grid), goals, limits, parts);
-  }
+Status fill_by(const FreeSpace& space, const CostGrid<Word>& grid, std::span<const Cell> goals,
+               const Limits& limits, const FieldParts& parts) {
+  SearchOutcome outcome =
+      fill(CostField<std::uint64_t, Word, Units>(grid), space, goals, limits, parts);
   if (outcome == SearchOutcome::cost_overflow) {
-    outcome = fill(CostField<std::uint64_t, Word, WideUnits>(grid), goals, limits, parts);
+    outcome = fill(CostField<WideFieldNumber, Word, WideUnits>(grid), space, goals, limits, parts);
   }
   return outcome == SearchOutcome::exhausted ? Status::found : status_of(outcome);
 }
@@ -135,11 +171,11 @@ std::optional<Status> fill_fast(const FreeSpace& space, std::span<const Cell> go
   if (!CostField<std::uint64_t, Word, CostUnits>::suits(grid)) return std::nullopt;
   if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
     if (space.uniform_terrain()) {
-      return fill_by<Word, OctileUnits<std::uint32_t>, OctileUnits<std::uint64_t>>(grid, goals,
-                                                                                   limits, parts);
+      return fill_by<Word, OctileUnits<std::uint32_t>, OctileUnits<std::uint64_t>>(
+          space, grid, goals, limits, parts);
     }
   }
-  return fill_by<Word, CostUnits, CostUnits>(grid, goals, limits, parts);
+  return fill_by<Word, CostUnits, CostUnits>(space, grid, goals, limits, parts);
 }
 
 /// Nothing if the fast way does not suit the map.
@@ -162,8 +198,6 @@ Expected<CostToGo, PlanFailure> CostToGo::make(const FreeSpace& space, std::span
                                                GridMoves moves, const Limits& limits) {
   if (const auto status = refusal(space, goals)) return failed(*status);
   CostToGo field(space);
-  field.costs_ = {space.width(), space.height(), std::numeric_limits<double>::infinity()};
-  field.policy_ = {space.width(), space.height(), kNoDirection};
   std::vector<Cell> usable;
   std::ranges::copy_if(goals, std::back_inserter(usable),
                        [&](Cell goal) { return space.passable(goal); });

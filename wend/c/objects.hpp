@@ -44,6 +44,21 @@ struct wend_session {
   std::optional<wend::GridMap> map;  // nothing if an exception stopped an edit
 };
 
+namespace wend::c {
+
+/// Runs work(). If it throws, planners may be left in the middle of something.
+template <class Work>
+auto or_without_planners(wend_session& session, Work&& work) {
+  try {
+    return work();
+  } catch (...) {
+    session.drop_planners();
+    throw;
+  }
+}
+
+}  // namespace wend::c
+
 struct wend_plan {
   /// Takes what a caller can ask for from an answer.
   explicit wend_plan(const wend::PlanAnswer& answer);

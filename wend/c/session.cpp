@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "wend/base/parse.hpp"
@@ -77,17 +78,6 @@ MapPose map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading};
 
 Robot robot_or_point(const wend_robot* robot) { return robot == nullptr ? Robot{} : robot->robot; }
 
-/// Runs work(). If it throws, planners may be left in the middle of something.
-template <class Work>
-auto or_without_planners(wend_session& session, Work&& work) {
-  try {
-    return work();
-  } catch (...) {
-    session.drop_planners();
-    throw;
-  }
-}
-
 Expected<ObstacleOptions, Failure> obstacles_of(const wend_session_options& options) {
   for (const std::int32_t policy : {options.unknown, options.outside}) {
     if (policy < WEND_POLICY_DEFAULT || policy > WEND_POLICY_FREE) {
@@ -100,26 +90,6 @@ Expected<ObstacleOptions, Failure> obstacles_of(const wend_session_options& opti
   if (options.outside == WEND_POLICY_FREE) obstacles.outside = OutsidePolicy::free;
   if (options.outside == WEND_POLICY_BLOCKED) obstacles.outside = OutsidePolicy::blocked;
   return obstacles;
-}
-
-Expected<MapEdit, Failure> edit_of(Cell corner, std::int32_t width, std::int32_t height,
-                                   std::span<const std::uint8_t> states) {
-  if (width < 1 || height < 1 || width > static_cast<std::int64_t>(GridMap::kMaxCells) / height ||
-      states.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
-    return refused("there are " + std::to_string(states.size()) + " bytes for a box of " +
-                   std::to_string(width) + " x " + std::to_string(height) + " cells");
-  }
-  MapEdit edit{.corner = corner, .states = Grid<CellState>(width, height)};
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (states[i] > static_cast<std::uint8_t>(CellState::unknown)) {
-      return refused("states[" + std::to_string(i) + "] is " + std::to_string(states[i]) +
-                     ": 0 free, 1 occupied or 2 unknown expected");
-    }
-    const auto column = static_cast<int>(i % static_cast<std::size_t>(width));
-    const auto row = static_cast<int>(i / static_cast<std::size_t>(width));
-    edit.states[{column, row}] = static_cast<CellState>(states[i]);
-  }
-  return edit;
 }
 
 /// The goals of a request; NaN is any heading.
@@ -196,16 +166,29 @@ RequestResult plan_request_of(const wend_request* given, double resolution) {
   return asked;
 }
 
+/// Session::plan() or Session::replan() on a view.
+using PlanOnView = Expected<PlanAnswer, RequestFailure> (Session::*)(const Session::View&,
+                                                                     const PlanRequest&);
+
 Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
-                                                        const wend_request* request) {
+                                                        const wend_request* request,
+                                                        PlanOnView plan_on) {
   const auto view = handle.session.view();
   if (!view) return failed(view.error());
   const auto asked = plan_request_of(request, view->space.map().frame().resolution);
   if (!asked) return Unexpected<Failure>(asked.error());
-  const auto answer = handle.session.plan(*view, *asked);
+  const auto answer = (handle.session.*plan_on)(*view, *asked);
   if (!answer) return failed(static_cast<const PlanFailure&>(answer.error()));
   if (answer->fault) return failed(*answer->fault);
   return std::make_unique<wend_plan>(*answer);
+}
+
+wend_status plan_by(wend_session* session, const wend_request* request, wend_plan** plan,
+                    wend_error* error, PlanOnView plan_on) {
+  return made("plan", plan, error, [&]() -> Expected<std::unique_ptr<wend_plan>, Failure> {
+    if (session == nullptr) return refused("session is null");
+    return or_without_planners(*session, [&] { return make_plan(*session, request, plan_on); });
+  });
 }
 
 /// Why there is no field: for a goal that is outside or blocked, which and why.
@@ -287,22 +270,6 @@ wend_status wend_session_set_map(wend_session* session, const wend_map* map, wen
   });
 }
 
-wend_status wend_session_edit(wend_session* session, int32_t x, int32_t y, int32_t width,
-                              int32_t height, const uint8_t* states, size_t size,
-                              wend_error* error) {
-  return guarded(error, [&]() -> Done {
-    if (session == nullptr) return refused("session is null");
-    if (states == nullptr) return refused("states is null");
-    const auto edit = edit_of({x, y}, width, height, std::span(states, size));
-    if (!edit) return wend::Unexpected<Failure>(edit.error());
-    return or_without_planners(*session, [&]() -> Done {
-      const auto done = session->edit(*edit);
-      if (!done) return failed(done.error());
-      return {};
-    });
-  });
-}
-
 wend_status wend_session_set_robot(wend_session* session, const wend_robot* robot,
                                    wend_error* error) {
   return guarded(error, [&]() -> Done {
@@ -341,10 +308,12 @@ wend_status wend_request_init(wend_request* request, size_t struct_size) {
 
 wend_status wend_session_plan(wend_session* session, const wend_request* request, wend_plan** plan,
                               wend_error* error) {
-  return made("plan", plan, error, [&]() -> wend::Expected<std::unique_ptr<wend_plan>, Failure> {
-    if (session == nullptr) return refused("session is null");
-    return or_without_planners(*session, [&] { return make_plan(*session, request); });
-  });
+  return plan_by(session, request, plan, error, &wend::Session::plan);
+}
+
+wend_status wend_session_replan(wend_session* session, const wend_request* request,
+                                wend_plan** plan, wend_error* error) {
+  return plan_by(session, request, plan, error, &wend::Session::replan);
 }
 
 wend_status wend_session_field(wend_session* session, const wend_request* request,

@@ -74,7 +74,7 @@ struct ControllerInfo {
   std::function<ControllerResult(const OptionValues&)> make;  // from options as text
 };
 
-/// p, p_moving, pid, pure_pursuit.
+/// p, p_moving, pid, pure_pursuit, stanley.
 WEND_API const Registry<ControllerInfo>& controllers();
 
 /// Makes a controller by name; an unknown name or option is Status::invalid_option.

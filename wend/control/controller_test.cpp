@@ -48,7 +48,7 @@ Scene on_straight_line(const MapPose& pose) {
 
 TEST(Controllers, AreListedInOrder) {
   EXPECT_EQ(controllers().names(),
-            (std::vector<std::string>{"p", "p_moving", "pid", "pure_pursuit"}));
+            (std::vector<std::string>{"p", "p_moving", "pid", "pure_pursuit", "stanley"}));
   for (const ControllerInfo& info : controllers()) {
     EXPECT_FALSE(info.summary.empty() || info.idea.empty() || info.citation.empty()) << info.name;
     EXPECT_FALSE(info.options.empty()) << info.name;

@@ -100,19 +100,23 @@ void Follower::locate(const MapPose& shown) {
   }
 }
 
-/// Where it turns in place next, the robot comes nearer than the goal's tolerance, if it does.
+/// Where it turns in place or changes gear next, and at a goal with a heading, the robot comes nearer than
+/// the goal's tolerance, if it does: what it skips, the next leg would begin beside its line.
 bool Follower::is_at_end_of_leg(const MapPose& pose) {
-  constexpr double kAtTurn = 0.02;   // m
+  constexpr double kAtEnd = 0.02;  // m
+  // Of the tolerance: nearer to the last point, controllers that face it would turn aside.
+  constexpr double kAtGoal = 0.4;
   constexpr double kLeaves = 0.005;  // m
   const MapPolyline& line = current_leg().line;
   const double gap = distance(pose.point(), line.points().back());
   const bool leaves = gap > nearest_end_ + kLeaves;
   nearest_end_ = std::min(nearest_end_, gap);
-  if (line.length() - along_ > 2 * options_.goal_tolerance || gap > options_.goal_tolerance) {
-    return false;
-  }
+  const double left = line.length() - along_;
+  if (left > 2 * options_.goal_tolerance || gap > options_.goal_tolerance) return false;
+  if (is_last_leg() && !route_.final_heading()) return true;
   const bool turns_next = !is_last_leg() && route_.legs()[leg_ + 1].turn_first;
-  return !turns_next || gap <= kAtTurn || leaves;
+  const double at_end = is_last_leg() ? kAtGoal * options_.goal_tolerance : kAtEnd;
+  return gap <= at_end || leaves || (!turns_next && left <= at_end);
 }
 
 Velocity Follower::ask_controller(const MapPose& shown, double turn, double seconds) {

@@ -1,5 +1,6 @@
 #include "wend/control/route.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <span>
@@ -23,11 +24,18 @@ bool turns_between(const Arc& before, const Arc& after) {
   return std::abs(jump) > kSmallJump;
 }
 
+/// Does the robot turn in place before the first arc that has a length?
+bool turns_at_start(std::span<const Arc> arcs) {
+  const auto moving = std::ranges::find_if(arcs, [](const Arc& arc) { return arc.length != 0; });
+  if (moving == arcs.end()) return false;
+  return std::abs(normalized_angle(moving->from.heading - arcs.front().from.heading)) > kSmallJump;
+}
+
 /// One leg for each stretch of arcs (at least one) in one direction, without turns in place but at its
 /// ends.
 std::vector<RouteLeg> legs_along(std::span<const Arc> arcs, const Frame& frame) {
   std::vector<RouteLeg> legs;
-  bool turn_first = false;
+  bool turn_first = turns_at_start(arcs);
   for (std::size_t first = 0; first < arcs.size();) {
     std::size_t end = first;
     const Arc* last = nullptr;  // the leg's last arc that has a length

@@ -119,7 +119,7 @@ TEST(Route, BeginsALegWhereThePathTurnsInPlace) {
                                    {2.9, 3, 0}}),
                     {});
   ASSERT_EQ(route.legs().size(), 2U) << "a small turn does not stop the robot";
-  EXPECT_FALSE(route.legs()[0].turn_first);
+  EXPECT_TRUE(route.legs()[0].turn_first) << "the path begins with a turn";
   EXPECT_TRUE(route.legs()[1].turn_first);
   EXPECT_NEAR(route.legs()[0].line.length(), 3, kRounding);
   expect_near(route.start(), {0, 0, 1});

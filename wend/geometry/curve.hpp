@@ -93,8 +93,8 @@ WEND_API double cost_of(std::span<const CurvePiece> pieces, const CurveCosts& co
 /// No bound: every word counts.
 inline constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
-/// The cheapest Reeds-Shepp word that costs less than `bound`; a curve that does not exist if there is none. A
-/// tight bound saves time. About 0.3 us.
+/// The cheapest Reeds-Shepp word that costs less than `bound`; a curve that does not exist if there is none.
+/// About 0.3 us; a few nanoseconds if even a line from one pose to the other would cost that much.
 WEND_API Curve cheapest_reeds_shepp(const Pose& from, const Pose& to, double radius,
                                     const CurveCosts& costs = {}, double bound = kNoBound);
 

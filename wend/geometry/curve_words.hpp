@@ -37,6 +37,7 @@ struct WordPiece {
 template <std::size_t kSize>
 struct WordLetters {
   std::array<char, kSize> letters{};
+  // NOLINTNEXTLINE(google-explicit-constructor): CurveWord<"L+S+L+"> converts its argument
   consteval WordLetters(const char (&text)[kSize]) { std::copy_n(text, kSize, letters.begin()); }
 };
 

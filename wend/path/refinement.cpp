@@ -22,7 +22,7 @@ Path simplified_by(const Simplification& simplify, const Path& path, const FreeS
 SmoothingResult smoothed_by(const SmootherChoice& choice, const Path& path, const FreeSpace& space,
                             Adjacency adjacency) {
   OptionValues options = choice.options;
-  if (adjacency == Adjacency::edges_and_corners) {
+  if (!path.driven() && adjacency == Adjacency::edges_and_corners) {
     options.insert(options.begin(), {"squeeze", "true"});
   }
   const auto smoother = make_smoother(choice.name, options);
@@ -31,6 +31,11 @@ SmoothingResult smoothed_by(const SmootherChoice& choice, const Path& path, cons
 }
 
 }  // namespace
+
+SmootherChoice smoother_for(const Path& path, const SmootherChoice& choice) {
+  const bool gradient = choice.name == SmootherChoice{}.name;
+  return path.driven() && gradient ? SmootherChoice{"drive", choice.options} : choice;
+}
 
 Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
                                  const Refinement& refinement) {
@@ -48,7 +53,8 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
     if (!refined.path.cells().empty() && !refined.path.of_steps()) {
       refined.path = resampled(refined.path, 1, space, adjacency);
     }
-    auto smoothed = smoothed_by(*refinement.smoother, refined.path, space, adjacency);
+    auto smoothed =
+        smoothed_by(smoother_for(path, *refinement.smoother), refined.path, space, adjacency);
     if (!smoothed) return Unexpected<Error>(std::move(smoothed).error());
     refined.path = smoothed->path;
     refined.smoothing = *std::move(smoothed);

@@ -43,6 +43,9 @@ struct SmootherChoice {
   OptionValues options{};         // as text; the smoother checks them
 };
 
+/// The smoother that is used for a path: for a path of poses `drive` in place of `gradient`, the default.
+WEND_API SmootherChoice smoother_for(const Path& path, const SmootherChoice& choice);
+
 struct Refinement {
   std::optional<Simplification> simplify{};  // nothing: not simplified
   std::optional<SmootherChoice> smoother{};  // nothing: not smoothed

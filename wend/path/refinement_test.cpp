@@ -179,7 +179,7 @@ TEST(Refinement, TellsWhatItCannotDo) {
   const Path drive = Path::through({{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(refined(drive, space, {.simplify = Simplification{}}).error().status,
             Status::unsupported_query);
-  EXPECT_EQ(refined(drive, space, {.smoother = SmootherChoice{}}).error().status,
+  EXPECT_EQ(refined(drive, space, {.smoother = SmootherChoice{"curvature"}}).error().status,
             Status::unsupported_query);
   EXPECT_EQ(refined(drive, space, {.spacing = 0.5})->path.size(), 3U);
 }

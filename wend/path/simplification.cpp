@@ -185,9 +185,11 @@ std::vector<Point> points_of_lines(const Path& path) {
 Path resampled_drive(const JoinedPoses& drive, double spacing) {
   std::vector<Pose> divided{drive.poses().front()};
   for (std::size_t i = 0; i < drive.segment_count(); ++i) {
-    const Arc arc = drive.arc(i);
-    const int pieces = pieces_of(std::abs(arc.length), spacing);
-    for (int k = 1; k < pieces; ++k) divided.push_back(pose_on(arc, arc.length * k / pieces));
+    const Segment segment = drive.segment(i);
+    const int pieces = pieces_of(std::abs(segment.length), spacing);
+    for (int k = 1; k < pieces; ++k) {
+      divided.push_back(pose_on(segment, static_cast<double>(k) / pieces));
+    }
     divided.push_back(drive.poses()[i + 1]);
   }
   return Path::through(std::move(divided));

@@ -221,6 +221,8 @@ TEST(Resampled, CutsALineIntoEqualPieces) {
 TEST(Resampled, DividesTheArcsOfADrive) {
   const FreeSpace space = test::open_space(20, 20);
   const Path drive = Path::through({{5, 5, 0}, {8, 8, kPi / 2}, {8, 6, kPi / 2}});
+  const Path aside = Path::through({{0, 0, 0}, {0, 4, 0}});
+  for (const Pose& pose : resampled(aside, 1, space).driven_poses()) EXPECT_EQ(pose.heading, 0);
   const Path even = resampled(drive, 1, space);
   EXPECT_EQ(even.size(), 1U + 5 + 2);
   EXPECT_NEAR(even.length(), drive.length(), 1e-9);

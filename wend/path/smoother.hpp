@@ -1,7 +1,7 @@
 #pragma once
 
-// Smoothers: what makes a path of cells, or of waypoints, smooth, by name and with options. See
-// gradient_smoother.hpp and curvature_smoother.hpp for what each does.
+// Smoothers: what makes a path smooth, by name and with options. See gradient_smoother.hpp and
+// curvature_smoother.hpp, for paths of cells or waypoints, and drive_smoother.hpp, for paths of poses.
 //
 //   const auto smoother = wend::make_smoother("gradient", {{"beta", "0.4"}});
 //   if (!smoother) return report(smoother.error().message);
@@ -9,7 +9,7 @@
 //   if (!smoothed) report(smoothed.error().message);
 //
 // A smoother keeps the path's ends. Unless its option `unsafe` is set, it takes a free path (see
-// path_collision.hpp) and gives a free one, no longer than it: where smoothing would leave free
+// path_collision.hpp) and gives a free one, no longer than it (`drive`: or as its option `longer` allows): where smoothing would leave free
 // space it holds back. Thread-safe.
 
 #include <cstdint>
@@ -55,9 +55,10 @@ struct SmootherInfo {
   std::string citation;                                     // the paper or book it comes from
   std::vector<OptionInfo> options;                          // which `make` takes
   std::function<SmootherResult(const OptionValues&)> make;  // from options as text
+  bool drives = false;                                      // takes paths of poses, and only these
 };
 
-/// gradient, curvature.
+/// gradient, curvature, drive.
 WEND_API const Registry<SmootherInfo>& smoothers();
 
 /// Makes a smoother by name; an unknown name or option is Status::invalid_option.

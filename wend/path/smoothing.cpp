@@ -11,8 +11,6 @@
 #include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
-namespace {
-
 std::string text_of(const PathCollision& collision) {
   constexpr double kShown = 1000;  // thousandths of a cell
   const auto rounded = [](double value) {
@@ -22,8 +20,6 @@ std::string text_of(const PathCollision& collision) {
          rounded(collision.point.x) + ", " + rounded(collision.point.y) + "), it " +
          std::string(describe(collision.kind));
 }
-
-}  // namespace
 
 std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_place) {
   if (!(alpha >= 0 && beta >= 0 && std::isfinite(alpha) && std::isfinite(beta))) {

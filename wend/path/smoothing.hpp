@@ -14,10 +14,14 @@
 #include "wend/geometry/line.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/path/path.hpp"
+#include "wend/path/path_collision.hpp"
 #include "wend/path/smoother.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
+
+/// Where a path that is to be smoothed is not free, in words.
+std::string text_of(const PathCollision& collision);
 
 /// Why gradient descent with such weights would not converge; nothing if it does. `in_place`: each
 /// point sees where its neighbours are already, not where they were in the sweep before.
@@ -117,14 +121,18 @@ class MovablePath {
 template <class Options, class Smooth>
 SmootherInfo smoother_with(std::string name, std::string summary, std::string citation,
                            Smooth&& smooth) {
-  return {std::move(name), std::move(summary), std::move(citation), option_schema<Options>(),
+  return {std::move(name),
+          std::move(summary),
+          std::move(citation),
+          option_schema<Options>(),
           [smooth](const OptionValues& values) -> SmootherResult {
             const auto options = parse_options<Options>(values);
             if (!options) return Unexpected<Error>(options.error());
             return [smooth, options = *options](const Path& path, const FreeSpace& space) {
               return smooth(path, space, options);
             };
-          }};
+          },
+          false};
 }
 
 }  // namespace wend

@@ -28,6 +28,11 @@ void put_poses(Json& json, const Plan& plan, const Frame& frame) {
                {"yaw", yaws}});
 }
 
+Json gear_of(const Segment& segment) {
+  if (segment.length == 0) return 0;
+  return segment.length > 0 ? 1 : -1;
+}
+
 template <class T, class JsonOf>
 Json rows_of(const Grid<T>& grid, const JsonOf& json_of_value) {
   Json rows = Json::array();
@@ -129,10 +134,25 @@ void put_path(Json& json, const Plan& plan, const Frame& frame, const Capabiliti
   if (capabilities.headings) {
     json["steps"] = found ? Json(plan.path.size() - 1) : Json();
     put_poses(json, plan, frame);
+    put_driven(json, plan.path, frame);
     return;
   }
   json["path"] = json_of(plan.path.cells());
   json["path_m"] = json_of(plan.path.points_in_metres(frame));
+}
+
+void put_driven(Json& json, const Path& path, const Frame& frame) {
+  Json poses = Json::array();
+  Json gears = Json::array();
+  for (const Pose& pose : path.driven_poses()) {
+    const MapPose in_map = frame.to_metres(pose);
+    poses.push_back({in_map.x, in_map.y, in_map.heading});
+  }
+  if (path.driven()) {
+    for (const Segment& segment : path.segments()) gears.push_back(gear_of(segment));
+  }
+  json["poses_m"] = std::move(poses);
+  json["gears"] = std::move(gears);
 }
 
 std::string text_of(const Json& report) {

@@ -64,9 +64,13 @@ Json in_microseconds(double seconds);
 Json json_of(const WorkTimes& times);
 
 /// "cost", "length_cells", "length_m", "path", "path_m" of a plan; without a path, null and empty.
-/// For planners with headings also "steps", "headings", "moves" and "yaw", as in plan_json().
+/// For planners with headings also "steps", "headings", "moves", "yaw", "poses_m" and "gears", as in
+/// plan_json().
 void put_path(Json& json, const Plan& plan, const Frame& frame,
               const Capabilities& capabilities = {});
+
+/// "poses_m" and "gears" of a path of poses, as in plan_json(); empty lists for other paths.
+void put_driven(Json& json, const Path& path, const Frame& frame);
 
 // JSON of path_report.hpp: the lengths of a path, what smoothing_json() has besides the original path, and
 // the original path too.

@@ -134,6 +134,7 @@ void put_paths(Json& json, const RefinedPath& path, const Frame& frame) {
 void put_refined(Json& json, const RefinedPath& path, const Frame& frame) {
   json["path_smoothed"] = json_of(path.refined.path.points());
   json["path_smoothed_m"] = json_of(path.refined.path.points_in_metres(frame));
+  if (path.refined.path.driven()) put_driven(json, path.refined.path, frame);
   json["smoothing"] = json_of_smoothing(path);
   json["path_metrics"] = json_of(path.measured_before, frame);
   json["path_smoothed_metrics"] = json_of(path.measured_after, frame);
@@ -158,6 +159,7 @@ std::string check_json(const MeasuredPath& path, const std::optional<PathCollisi
 RefinedPath refined_path(Path before, const Refinement& wanted, Refined refined,
                          const FreeSpace& space, double corner_rounding) {
   RefinedPath path{std::move(before), wanted, std::move(refined), {}, {}};
+  if (wanted.smoother) path.wanted.smoother = smoother_for(path.before, *wanted.smoother);
   path.measured_before = measured("planned", path.before, space, corner_rounding);
   path.measured_after = measured(path.wanted.smoother ? "smoothed" : "simplified",
                                  path.refined.path, space, corner_rounding);

@@ -84,7 +84,8 @@ std::string smoothing_text(const RefinedPath& path);
 /// {"schema", "path", "path_m", "path_smoothed", "path_smoothed_m", "smoothing": {"smoother", "sweeps",
 /// "converged", "held", "returned", "within_bound"}, "path_metrics", "path_smoothed_metrics"}.
 /// `path` are cells, and is left out for a path without cells; `path_smoothed` are waypoints in grid
-/// coordinates; `smoothing` is null if nothing was smoothed. With a trajectory along the refined path,
+/// coordinates; `smoothing` is null if nothing was smoothed. For a path of poses, "poses_m" and "gears" follow as in
+/// plan_json(). With a trajectory along the refined path,
 /// "trajectory" follows: see trajectory_report.hpp. One line with its line end.
 std::string smoothing_json(const RefinedPath& path, const Frame& frame,
                            const std::optional<SampledTrajectory>& trajectory = {});

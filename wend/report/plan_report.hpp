@@ -30,13 +30,16 @@
 //    "steps": 2, "path": [[1,0],[2,1],[2,2]], "headings": ["E","S","S"], "moves":
 //    ["FWD_RIGHT","FWD"], "path_m": [[0.05,0],...], "yaw": [0,1.57,1.57], "bound": 1,
 //    "start_shift": {"cells": 0.5, "m": 0.025, "degrees": 4}, "goal_shift": {...},
-//    "steps_in_reverse": 0, "turning_radius_cells": 1, "turning_radius_m": 0.05, "states": 1600,
+//    "poses_m": [[0.05,0,0],...], "gears": [1,1], "steps_in_reverse": 0, "turning_radius_cells": 1, "turning_radius_m": 0.05, "states": 1600,
 //    "metrics": {...}, "times": {...}}
 //
 // `path` is then a list of lattice vertices, and `headings` are N, W, E or S on a page (or, for
 // other headings, the angle in radians from +x towards +y of the grid). `moves` are the motion
 // primitives between them, one fewer, and `steps` is their number. `path_m` are the same points in
-// the map's frame and `yaw` the headings there, radians counter-clockwise from its +x. The shifts
+// the map's frame and `yaw` the headings there, radians counter-clockwise from its +x. `poses_m` are
+// the poses to drive, x, y and yaw: the same again or, if the path was refined, those of the refined
+// path. `gears` has one number for each segment between them: 1 ahead, -1 in reverse, 0 for a turn in
+// place. The shifts
 // are the snapping errors of start and goal, and `states` is the number of valid states. On failure
 // the lists are empty, `steps` and the shifts null.
 //

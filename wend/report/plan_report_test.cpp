@@ -74,6 +74,22 @@ TEST(PlanJson, HasADriveInCornersAndInTheMapsFrame) {
   EXPECT_EQ(plan.at("states"), 1600);
 }
 
+TEST(PlanJson, HasThePosesToDriveAndTheirGears) {
+  PlanResult result = driven();
+  result.plan.path = Path::through({{1, 0, 0}, {3, 0, 0}, {2, 0, 0}, {2, 0, 1}});
+  result.plan.moves = {"FWD", "REV", "TURN_LEFT"};
+  const json plan = json::parse(plan_json(result, kPlanFrame));
+  EXPECT_EQ(plan.at("poses_m"), json::parse("[[-0.5,2,0],[0.5,2,0],[0,2,0],[0,2,1]]"));
+  EXPECT_EQ(plan.at("gears"), json::parse("[1,-1,0]"));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(9, 9)), {});
+  result.refined = refined_path(result.plan.path, {.spacing = 1},
+                                *refined(result.plan.path, space, {.spacing = 1}), space);
+  const json dense = json::parse(plan_json(result, kPlanFrame));
+  EXPECT_EQ(dense.at("gears"), json::parse("[1,1,-1,0]"));
+  EXPECT_EQ(dense.at("poses_m").at(1), json::parse("[0,2,0]"));
+  EXPECT_EQ(dense.at("yaw"), plan.at("yaw")) << "those keys keep the plan";
+}
+
 TEST(PlanJson, TurnsADrivesYawWithTheMapButNotItsHeadings) {
   Frame frame = kPlanFrame;
   frame.origin.heading = kPi / 2;
@@ -100,7 +116,7 @@ TEST(PlanJson, OfACarThatFailedHasTheSameKeys) {
   result.plan.path.clear();
   result.plan.moves.clear();
   const json failed = json::parse(plan_json(result, kPlanFrame));
-  for (const char* key : {"path", "headings", "moves", "path_m", "yaw"}) {
+  for (const char* key : {"path", "headings", "moves", "path_m", "yaw", "poses_m", "gears"}) {
     EXPECT_EQ(failed.at(key), json::array()) << key;
   }
   for (const char* key : {"cost", "steps", "start_shift", "goal_shift", "length_cells"}) {

@@ -1,11 +1,13 @@
 #include "wend/robot/footprint.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "wend/base/parse.hpp"
+#include "wend/geometry/angle.hpp"
 
 namespace wend {
 namespace {
@@ -91,6 +93,29 @@ Expected<Footprint, Error> disc_of(std::string_view text) {
   return Footprint::disc(radius);
 }
 
+/// Counter-clockwise, without points on its edges: A. Andrew's monotone chains, 1979.
+std::vector<Point> convex_hull(std::vector<Point> points) {
+  constexpr double kFlat = 1e-12;
+  const auto turns_left = [](Point a, Point b, Point c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > kFlat;
+  };
+  std::ranges::sort(points,
+                    [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<Point> hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t begin = hull.size();
+    for (const Point point : points) {
+      while (hull.size() >= begin + 2 && !turns_left(hull[hull.size() - 2], hull.back(), point)) {
+        hull.pop_back();
+      }
+      hull.push_back(point);
+    }
+    hull.pop_back();
+    std::ranges::reverse(points);
+  }
+  return hull;
+}
+
 }  // namespace
 
 Expected<Footprint, Error> Footprint::polygon(Polygon outline) {
@@ -108,6 +133,23 @@ Footprint Footprint::scaled(double factor) const {
   Footprint footprint(inscribed_ * factor, circumscribed_ * factor);
   if (polygon_) footprint.polygon_ = std::make_shared<const Polygon>(polygon_->scaled(factor));
   return footprint;
+}
+
+Footprint Footprint::grown(double margin) const {
+  constexpr int kSides = 8;
+  const Footprint around = disc(circumscribed_ + margin);
+  if (!polygon_ || margin == 0) return polygon_ ? *this : around;
+  std::vector<Point> points;
+  const double reach = margin / std::cos(kPi / kSides);
+  for (const Point corner : polygon_->corners()) {
+    for (int i = 0; i < kSides; ++i) {
+      const double angle = (2 * i + 1) * kPi / kSides;
+      points.push_back({corner.x + reach * std::cos(angle), corner.y + reach * std::sin(angle)});
+    }
+  }
+  auto hull = Polygon::make(convex_hull(std::move(points)));
+  if (!hull) return around;
+  return polygon(*std::move(hull)).value_or(around);
 }
 
 Expected<Footprint, Error> parse_footprint(std::string_view typed) {

@@ -53,6 +53,11 @@ class WEND_API Footprint {
   /// Multiplies all lengths by a finite factor greater than 0.
   Footprint scaled(double factor) const;
 
+  /// Covers everything within `margin` (>= 0) of the shape. A disc gets a larger radius; a polygon becomes
+  /// convex, with an octagon around each corner, so that corners are farther away by up to 8 % of the margin.
+  /// A polygon with too many corners for that becomes the disc around it. O(corners^2).
+  Footprint grown(double margin) const;
+
   /// Compares the shapes: the corners of polygons, else the radii.
   friend bool operator==(const Footprint& a, const Footprint& b) {
     const bool polygons = a.polygon_ && b.polygon_;

@@ -8,11 +8,31 @@
 #include <limits>
 
 #include "tests/testing/random_polygon.hpp"
+#include "wend/geometry/angle.hpp"
 
 namespace wend {
 namespace {
 
 using ::testing::HasSubstr;
+
+TEST(Footprint, GrownCoversEverythingWithinTheMarginAndLittleMore) {
+  const Footprint box = *Footprint::polygon(*Polygon::make({{3, 2}, {-3, 2}, {-3, -2}, {3, -2}}));
+  const Polygon& grown = *box.grown(0.5).outline();
+  constexpr int kSteps = 48;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = 2 * kPi * i / kSteps;
+    const Point aside{std::cos(angle), std::sin(angle)};
+    for (const Point corner : box.outline()->corners()) {
+      EXPECT_TRUE(grown.contains({corner.x + 0.499 * aside.x, corner.y + 0.499 * aside.y}))
+          << angle;
+      EXPECT_FALSE(grown.contains({corner.x + std::copysign(0.55, corner.x), corner.y}));
+    }
+  }
+  EXPECT_FALSE(grown.contains({0, 2.501})) << "edges move by the margin";
+  EXPECT_LE(box.grown(0.5).circumscribed_radius(), box.circumscribed_radius() + 0.55);
+  EXPECT_EQ(Footprint::disc(2).grown(0.5), Footprint::disc(2.5));
+  EXPECT_EQ(box.grown(0), box);
+}
 
 TEST(Footprint, IsAPointADiscOrAPolygon) {
   EXPECT_TRUE(Footprint().is_point());

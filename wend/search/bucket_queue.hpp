@@ -98,6 +98,14 @@ class BucketQueue {
     return links_[link].entry;
   }
 
+  /// The entry that would be popped after the next one if nothing is pushed, if it is in the same bucket; else null.
+  const Entry* after_next() const {
+    const std::uint32_t next = heads_[current_];
+    if (next == kNone) return nullptr;
+    const std::uint32_t after = links_[next].next;
+    return after == kNone ? nullptr : &links_[after].entry;
+  }
+
   /// No key of the bucket popped last is below this, nor will any later one be.
   std::uint64_t least_key() const { return (first_ + current_) << width_bits_; }
   /// All keys of that bucket are below this.

@@ -253,9 +253,15 @@ Status Session::State::look_up(const View& view, const Query& query, Cell start,
 }
 
 Expected<PlanAnswer, RequestFailure> Session::replan(const PlanRequest& request) {
+  auto seen = view();
+  if (!seen) return no_plan(std::move(seen.error()));
+  return replan(*seen, request);
+}
+
+Expected<PlanAnswer, RequestFailure> Session::replan(const View& view, const PlanRequest& request) {
   PlanRequest again = request;
   again.planner = resuming(request.planner);
-  return plan(again);
+  return plan(view, again);
 }
 
 Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan_all(

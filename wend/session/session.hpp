@@ -103,6 +103,8 @@ class WEND_API Session {
   ///     if (session.edit(what_the_robot_sees())) answer = session.replan(request);
   ///   }
   Expected<PlanAnswer, RequestFailure> replan(const PlanRequest& request);
+  /// The same on a view of this session. What was found before serves only the present view.
+  Expected<PlanAnswer, RequestFailure> replan(const View& view, const PlanRequest& request);
 
   /// Plans each of the requests as plan() does, but with this planner: one for each worker, which share
   /// what they prepare. Fails as making the planner does.

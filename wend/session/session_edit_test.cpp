@@ -167,5 +167,33 @@ TEST(SessionEdit, IsReplannedWithWhatWasFoundBefore) {
   EXPECT_EQ(session.replan(on_the_way).error().status, Status::invalid_option);
 }
 
+TEST(SessionEdit, IsReplannedOnTheViewThatIsGiven) {
+  Session session(walled_room());
+  const auto before = session.view();
+  const auto first = session.replan(*before, across());
+  ASSERT_TRUE(first) << first.error().message;
+  const auto kept = session.replan(*before, across());
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->plan.metrics.expanded, 0U);
+  EXPECT_EQ(kept->plan.path, first->plan.path);
+
+  ASSERT_TRUE(session.edit(closing()));
+  EXPECT_EQ(session.replan(*session.view(), across()).error().status, Status::unreachable);
+  const auto old = session.replan(*before, across());
+  ASSERT_TRUE(old) << "an old view keeps its map: " << old.error().message;
+  EXPECT_EQ(old->plan.path, first->plan.path);
+
+  // Planning on an old view does not disturb what serves the present one.
+  ASSERT_TRUE(session.edit(opening()));
+  const auto through = session.replan(*session.view(), across());
+  ASSERT_TRUE(through);
+  EXPECT_LT(through->plan.cost, first->plan.cost);
+  ASSERT_TRUE(session.replan(*before, across()));
+  const auto again = session.replan(*session.view(), across());
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->plan.metrics.expanded, 0U);
+  EXPECT_EQ(again->plan.path, through->plan.path);
+}
+
 }  // namespace
 }  // namespace wend

@@ -5,17 +5,20 @@
 
 namespace wend {
 
-template <class Cost, class Word, class Units>
-SearchOutcome CostField<Cost, Word, Units>::run(std::span<const Cell> goals, const Limits& limits) {
+template <class Number, class Word, class Units>
+SearchOutcome CostField<Number, Word, Units>::run(std::span<const Cell> goals,
+                                                  const Limits& limits) {
   if (!allocated()) return SearchOutcome::out_of_memory;
   outcome_ = SearchOutcome::running;
   LimitCheck check;
   check.begin(limits);
-  for (const Cell goal : goals) reach(grid_.number(goal), 0, 0, kNoMove);
+  for (const Cell goal : goals) reach(grid_.number(goal), Node::start());
   std::vector<StateId> bucket;
   for (std::uint64_t number = 0; open_ > 0; ++number) {
-    auto& filled = ring_[number & (ring_.size() - 1)];
+    auto& filled = ring_[number & ring_mask_];
     if (filled.empty()) continue;
+    bound_ = (number + 1) << width_bits_;
+    if (bound_ + most_step() > Node::kMostCost) return outcome_ = SearchOutcome::cost_overflow;
     std::swap(bucket, filled);
     drain(bucket, number, check);
     if (outcome_ != SearchOutcome::running) return outcome_;
@@ -24,82 +27,74 @@ SearchOutcome CostField<Cost, Word, Units>::run(std::span<const Cell> goals, con
   return outcome_ = SearchOutcome::exhausted;
 }
 
+/// The three rows around a cell, each of which may lie in two lines of the cache. Inline: g++ takes a function
+/// that only prefetches for one without effects, and drops its calls.
+template <class Number, class Word, class Units>
+void CostField<Number, Word, Units>::fetch_ahead(StateId id) const {
+  for (const StateId row : {grid_.neighbour(id, static_cast<unsigned>(Direction::plus_y)), id,
+                            grid_.neighbour(id, static_cast<unsigned>(Direction::minus_y))}) {
+    __builtin_prefetch(&nodes_[row - 1], 1);
+    __builtin_prefetch(&nodes_[row + 1], 1);
+    if constexpr (!Node::kUniform) {
+      __builtin_prefetch(grid_.words() + row - 1);
+      __builtin_prefetch(grid_.words() + row + 1);
+    }
+  }
+  if constexpr (Node::kUniform) __builtin_prefetch(grid_.words() + id);
+}
+
 /// Expands the cells of a bucket, unless the search ends early.
-template <class Cost, class Word, class Units>
-void CostField<Cost, Word, Units>::drain(std::vector<StateId>& bucket, std::uint64_t number,
-                                         LimitCheck& check) {
+template <class Number, class Word, class Units>
+void CostField<Number, Word, Units>::drain(std::vector<StateId>& bucket, std::uint64_t number,
+                                           LimitCheck& check) {
   metrics_.max_frontier = std::max<std::uint64_t>(metrics_.max_frontier, open_);
   for (std::size_t i = 0; i < bucket.size(); ++i) {
     if (i + kAhead < bucket.size()) fetch_ahead(bucket[i + kAhead]);
     const StateId id = bucket[i];
     --open_;
     // A cell that was reached more cheaply since was expanded in an earlier bucket.
-    if ((std::uint64_t{nodes_[id].g_and_1} - 1) >> width_bits_ != number) continue;
+    if (nodes_[id].bucket(width_bits_) != number) continue;
     if (check.due(metrics_.expanded)) {
       outcome_ = check.look(metrics_.expanded);
       if (outcome_ != SearchOutcome::running) return;
     }
     expand(id);
-    if (outcome_ != SearchOutcome::running) return;
   }
 }
 
-/// The three rows around a cell.
-template <class Cost, class Word, class Units>
-void CostField<Cost, Word, Units>::fetch_ahead(StateId id) const {
-  for (const Direction along : {Direction::plus_y, Direction::minus_y}) {
-    const StateId next = grid_.neighbour(id, static_cast<unsigned>(along));
-    __builtin_prefetch(&nodes_[next], 1);
-    __builtin_prefetch(grid_.words() + next);
-  }
-  __builtin_prefetch(&nodes_[id], 1);
-  __builtin_prefetch(grid_.words() + id);
-}
-
-template <class Cost, class Word, class Units>
-void CostField<Cost, Word, Units>::expand(StateId id) {
+template <class Number, class Word, class Units>
+void CostField<Number, Word, Units>::expand(StateId id) {
   ++metrics_.expanded;
   const Word word = grid_.word(id);
   const std::uint64_t steps = Grid::steps(word);
-  const std::uint64_t g = std::uint64_t{nodes_[id].g_and_1} - 1;
-  const std::uint64_t diagonals = nodes_[id].link >> kMoveBits;
-  unsigned moves = grid_.moves(static_cast<Move>(nodes_[id].link & kNoMove), word);
+  const Node node = nodes_[id];
+  unsigned moves = grid_.moves(node.arrival(), word);
   for (; moves != 0; moves &= moves - 1) {
     const auto direction = static_cast<unsigned>(std::countr_zero(moves));
     const StateId next = grid_.neighbour(id, direction);
-    const std::uint64_t sum = steps + Grid::steps(grid_.word(next));
-    const bool diagonal = (direction & 1U) != 0;
-    reach(next, g + sum * (diagonal ? Units::kDiagonal : Units::kStraight),
-          diagonals + (diagonal ? sum : 0), static_cast<Move>(direction));
+    const std::uint64_t sum = Node::kUniform ? 2 : steps + Grid::steps(grid_.word(next));
+    reach(next, node.after(sum, direction));
   }
 }
 
-template <class Cost, class Word, class Units>
-void CostField<Cost, Word, Units>::reach(StateId id, std::uint64_t g, std::uint64_t diagonals,
-                                         Move arrival) {
-  Node& node = nodes_[id];
-  if (node.g_and_1 != 0) {
-    const std::uint64_t before = std::uint64_t{node.g_and_1} - 1;
-    if (before <= g) return;
-    node = {static_cast<Cost>(g + 1), static_cast<Cost>(diagonals << kMoveBits | arrival)};
-    // Its entry in the same bucket serves both.
-    if (before >> width_bits_ == g >> width_bits_) return;
-  } else {
-    if (g > kMostCost) {
-      outcome_ = SearchOutcome::cost_overflow;
-      return;
-    }
-    ++metrics_.generated;
-    node = {static_cast<Cost>(g + 1), static_cast<Cost>(diagonals << kMoveBits | arrival)};
-  }
-  ring_[(g >> width_bits_) & (ring_.size() - 1)].push_back(id);
+template <class Number, class Word, class Units>
+void CostField<Number, Word, Units>::reach(StateId id, Node node) {
+  const Node before = nodes_[id];
+  if (before.as_cheap_as(node)) return;
+  nodes_[id] = node;
+  metrics_.generated += before.reached() ? 0 : 1;
+  const std::uint64_t bucket = node.bucket(width_bits_);
+  // Its entry in the same bucket serves both.
+  if (before.reached() && before.bucket(width_bits_) == bucket) return;
+  ring_[bucket & ring_mask_].push_back(id);
   ++open_;
 }
 
-template class CostField<std::uint32_t, std::uint32_t, CostUnits>;
 template class CostField<std::uint64_t, std::uint32_t, CostUnits>;
 template class CostField<std::uint64_t, std::uint64_t, CostUnits>;
-template class CostField<std::uint32_t, std::uint32_t, OctileUnits<std::uint32_t>>;
-template class CostField<std::uint64_t, std::uint32_t, OctileUnits<std::uint64_t>>;
+template class CostField<WideFieldNumber, std::uint32_t, CostUnits>;
+template class CostField<WideFieldNumber, std::uint64_t, CostUnits>;
+template class CostField<std::uint64_t, std::uint32_t, OctileUnits<std::uint32_t>>;
+template class CostField<WideFieldNumber, std::uint32_t, OctileUnits<std::uint64_t>>;
 
 }  // namespace wend

@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "wend/base/zeroed_memory.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/planner/grid/cost_grid.hpp"
+#include "wend/planner/grid/field_node.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/search_outcome.hpp"
 #include "wend/space/grid/cost_units.hpp"
@@ -25,9 +27,9 @@
 
 namespace wend {
 
-/// Cost is 32 bits, or 64 where sums outgrow them. Units are CostUnits, or OctileUnits where every cell costs
-/// the same, with which the costs are exact.
-template <class Cost, class Word, class Units>
+/// Number is that of its FieldNodes: 64 bits, or WideFieldNumber where costs outgrow them. Units are CostUnits, or
+/// OctileUnits where every cell costs the same, with which the costs are exact.
+template <class Number, class Word, class Units>
 class CostField {
  public:
   using Grid = CostGrid<Word>;
@@ -37,7 +39,8 @@ class CostField {
       : grid_(grid),
         nodes_(zeroed_table<Node>(grid.state_count())),
         width_bits_(static_cast<unsigned>(std::bit_width(least_step())) - 1),
-        ring_(std::bit_ceil((most_step() >> width_bits_) + 2)) {}
+        ring_(std::bit_ceil((most_step() >> width_bits_) + 2)),
+        ring_mask_(ring_.size() - 1) {}
 
   /// False if there was no memory: then run() ends as out_of_memory.
   bool allocated() const { return nodes_ != nullptr; }
@@ -49,58 +52,60 @@ class CostField {
   }
 
   /// Computes the costs to the nearest of the goals, which are free. Ends as exhausted, as cost_overflow if
-  /// Cost is too small, or early by the limits.
+  /// Number is too small, or early by the limits.
   SearchOutcome run(std::span<const Cell> goals, const Limits& limits);
 
   const SearchMetrics& metrics() const { return metrics_; }
 
-  bool reached(Cell cell) const { return node(cell).g_and_1 != 0; }
-  /// The cost of a reached cell, with the exact square root of 2.
+  bool reached(Cell cell) const { return node(cell).reached(); }
+  /// The cost of a cell, with the exact square root of 2; infinite if it was not reached.
   double cost(Cell cell) const {
-    const Node& here = node(cell);
-    const std::uint64_t g = here.g_and_1 - 1;
-    const std::uint64_t diagonals = here.link >> kMoveBits;
-    const std::uint64_t straights = (g - diagonals * Units::kDiagonal) / Units::kStraight;
+    const Node here = node(cell);
+    if (!here.reached()) return std::numeric_limits<double>::infinity();
+    const std::uint64_t diagonals = here.diagonals();
+    const std::uint64_t straights = (here.g() - diagonals * Units::kDiagonal) / Units::kStraight;
     return (static_cast<double>(straights) + std::numbers::sqrt2 * static_cast<double>(diagonals)) /
            (2.0 * static_cast<double>(grid_.one()));
   }
   /// The cost of a reached cell in units.
-  std::uint64_t units(Cell cell) const { return node(cell).g_and_1 - 1; }
-  /// The move by which a reached cell was reached from the goal; kNoMove in a goal.
-  Move arrival(Cell cell) const { return static_cast<Move>(node(cell).link & kNoMove); }
+  std::uint64_t units(Cell cell) const { return node(cell).g(); }
+  /// Every reached cell costs less than this, in units.
+  std::uint64_t bound() const { return bound_; }
+  /// The move by which a cell was reached from the goal; kNoMove in a goal, and if it was not reached.
+  Move arrival(Cell cell) const {
+    return node(cell).reached() ? node(cell).arrival() : Move{kNoMove};
+  }
 
  private:
-  struct Node {
-    Cost g_and_1;  // 0: not reached
-    Cost link;     // the arrival, then the sum of the diagonal steps, which is below g / 577
-  };
+  using Node = FieldNode<Number, Units>;
 
-  static constexpr std::size_t kAhead = 8;  // nodes fetched ahead
-  // The sum of diagonal steps needs fewer bits than g, for each counts at least 577: a move fits beside it.
-  static constexpr std::uint64_t kMostCost = static_cast<Cost>(~Cost{0}) / 2;
+  static constexpr std::size_t kAhead = 16;  // nodes fetched ahead
 
   std::uint64_t least_step() const { return 2 * grid_.least_steps() * Units::kStraight; }
   std::uint64_t most_step() const { return 2 * grid_.most_steps() * Units::kDiagonal; }
 
   const Node& node(Cell cell) const { return nodes_[grid_.number(cell)]; }
   void drain(std::vector<StateId>& bucket, std::uint64_t number, LimitCheck& check);
-  void fetch_ahead(StateId id) const;
+  [[gnu::always_inline]] inline void fetch_ahead(StateId id) const;
   void expand(StateId id);
-  void reach(StateId id, std::uint64_t g, std::uint64_t diagonals, Move arrival);
+  void reach(StateId id, Node node);
 
   const Grid& grid_;
   ZeroedTable<Node> nodes_;
   unsigned width_bits_;
-  std::vector<std::vector<StateId>> ring_;
+  std::vector<std::vector<StateId>> ring_;  // buckets, as many as a power of two
+  std::uint64_t ring_mask_;
   std::size_t open_ = 0;  // entries of the ring
+  std::uint64_t bound_ = 0;
   SearchOutcome outcome_ = SearchOutcome::exhausted;
   SearchMetrics metrics_;
 };
 
-extern template class CostField<std::uint32_t, std::uint32_t, CostUnits>;
 extern template class CostField<std::uint64_t, std::uint32_t, CostUnits>;
 extern template class CostField<std::uint64_t, std::uint64_t, CostUnits>;
-extern template class CostField<std::uint32_t, std::uint32_t, OctileUnits<std::uint32_t>>;
-extern template class CostField<std::uint64_t, std::uint32_t, OctileUnits<std::uint64_t>>;
+extern template class CostField<WideFieldNumber, std::uint32_t, CostUnits>;
+extern template class CostField<WideFieldNumber, std::uint64_t, CostUnits>;
+extern template class CostField<std::uint64_t, std::uint32_t, OctileUnits<std::uint32_t>>;
+extern template class CostField<WideFieldNumber, std::uint32_t, OctileUnits<std::uint64_t>>;
 
 }  // namespace wend

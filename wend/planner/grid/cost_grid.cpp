@@ -229,16 +229,17 @@ void CostGrid<Word>::compute_dear_words(const FreeSpace& space, const CellBox& b
     read(y + 1, rows[2]);
     range.read({rows[0].data(), rows[1].data(), rows[2].data()});
     StateId id = number({box.begin.x, y});
-    for (int x = box.begin.x; x < box.end.x; ++x, ++id) {
-      const auto at = static_cast<std::size_t>(x - box.begin.x);
-      const Word steps = rows[1][at + 1];
-      Word word = 0;
-      if (steps != 0) {
+    for (int x = box.begin.x; x < box.end.x;) {
+      PassableWindow window(space.passable(), {x, y});
+      const int end = std::min(box.end.x, x + PassableWindow::kCells);
+      for (; x < end; ++x, ++id) {
+        const auto at = static_cast<std::size_t>(x - box.begin.x);
+        const Word steps = rows[1][at + 1];
+        const unsigned neighbours = neighbours_in(window.next_block());
         const auto kind = static_cast<unsigned>(range.class_at(at));
-        word = static_cast<Word>((steps << CostMoves::kKeyBits) | (kind << 8U) |
-                                 neighbours_in(space.passable().block({x, y})));
+        const Word word = (steps << CostMoves::kKeyBits) | (kind << 8U) | neighbours;
+        store(id, y, steps == 0 ? Word{0} : word);
       }
-      store(id, y, word);
     }
   }
 }

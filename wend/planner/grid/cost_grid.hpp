@@ -27,6 +27,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/large_pages.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/cell_box.hpp"
 #include "wend/geometry/direction.hpp"
@@ -158,7 +159,7 @@ class CostGrid {
   std::array<StateId, kDirections> offsets_{};
   CostMoves moves_;
   std::uint64_t one_;
-  std::vector<Word> words_;
+  std::vector<Word, LargePages<Word>> words_;
   std::vector<LeastOfRow> rows_;  // of a map with costs
   std::uint64_t least_steps_ = 1;
   std::uint64_t most_steps_ = 1;

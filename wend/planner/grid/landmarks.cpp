@@ -1,6 +1,7 @@
 #include "wend/planner/grid/landmarks.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,8 +13,9 @@ namespace {
 /// The costs from a cell to all others, to each a function; false if they outgrow 32 bits.
 template <class Units, class Word, class Take>
 bool costs_from(const CostGrid<Word>& grid, Cell cell, Take&& take) {
-  CostField<std::uint32_t, Word, Units> field(grid);
+  CostField<std::uint64_t, Word, Units> field(grid);
   if (!field.allocated() || field.run({&cell, 1}, {}) != SearchOutcome::exhausted) return false;
+  if (field.bound() > std::numeric_limits<std::uint32_t>::max()) return false;
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {
       if (field.reached({x, y})) take(Cell{x, y}, static_cast<std::uint32_t>(field.units({x, y})));
@@ -25,9 +27,8 @@ bool costs_from(const CostGrid<Word>& grid, Cell cell, Take&& take) {
 template <class Word, class Take>
 bool costs_on(const CostGrid<Word>& grid, Cell cell, Take&& take) {
   if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
-    using Compact = std::uint32_t;
-    if (grid.one() == 1) return costs_from<OctileUnits<Compact>>(grid, cell, take);
-    if (CostField<Compact, Word, CostUnits>::suits(grid)) {
+    if (grid.one() == 1) return costs_from<OctileUnits<std::uint32_t>>(grid, cell, take);
+    if (CostField<std::uint64_t, Word, CostUnits>::suits(grid)) {
       return costs_from<CostUnits>(grid, cell, take);
     }
   }

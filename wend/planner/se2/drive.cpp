@@ -14,15 +14,6 @@ constexpr std::array<std::size_t, 6> kHops{2, 3, 5, 8, 13, 20};
 constexpr double kStraightEnough = 0.98;  // of the cost: a connection gains nothing there
 constexpr double kLeastGain = 1e-6;       // cells
 
-/// A pose of a drive, and the cheapest way to it that is known.
-struct Knot {
-  Pose pose;
-  double cost = std::numeric_limits<double>::infinity();
-  int gear = 0;            // before the pose
-  std::size_t before = 0;  // the knot that the way comes from
-  Drive way = {};          // from there
-};
-
 /// The cost of a motion behind another one with that gear; sets the gear to its own.
 double cost_behind(int& gear, const Motion& motion, double way, const Steering& steering) {
   const int next = gear_of(motion);
@@ -30,53 +21,6 @@ double cost_behind(int& gear, const Motion& motion, double way, const Steering& 
   if (gear * next < 0) cost += steering.costs().gear_change;
   if (next != 0) gear = next;
   return cost;
-}
-
-/// Cuts a drive at its changes of motion and into pieces of at most `spacing`.
-Drive cut(const Drive& drive, double spacing) {
-  Drive pieces;
-  for (const DrivenMotion& driven : drive) {
-    const int count =
-        std::max(1, static_cast<int>(std::ceil(std::abs(driven.motion.length) / spacing)));
-    const Motion piece = part_of(driven.motion, 1.0 / count);
-    for (int i = 0; i < count; ++i) {
-      const Motion before = part_of(driven.motion, static_cast<double>(i) / count);
-      pieces.push_back({pose_after(driven.from, before), piece});
-    }
-  }
-  return pieces;
-}
-
-/// Offers a way from one knot to another.
-void offer(const std::vector<Knot>& knots, std::size_t from, Knot& to, double cost, int gear,
-           Drive way) {
-  if (knots[from].cost + cost >= to.cost - kLeastGain) return;
-  to.cost = knots[from].cost + cost;
-  to.gear = gear;
-  to.before = from;
-  to.way = std::move(way);
-}
-
-/// Tries the cheapest connection between two knots.
-void connect(std::vector<Knot>& knots, std::size_t from, std::size_t to, const MotionCheck& check,
-             const Steering& steering) {
-  const double bound = knots[to].cost - knots[from].cost;
-  const Pose& start = knots[from].pose;
-  if (straight_distance(start.point(), knots[to].pose.point()) >= kStraightEnough * bound) return;
-  std::array<Connection, 1> best;
-  if (steering.connect(start, knots[to].pose, knots[from].gear, bound, best) == 0) return;
-  Drive way;
-  Pose pose = start;
-  int gear = knots[from].gear;
-  double cost = 0;
-  for (const Motion& motion : best[0].all()) {
-    const double length = check.cost(pose, motion);
-    if (length == MotionCheck::kBlocked) return;
-    cost += cost_behind(gear, motion, length, steering);
-    way.push_back({pose, motion});
-    pose = pose_after(pose, motion);
-  }
-  offer(knots, from, knots[to], cost, gear, std::move(way));
 }
 
 }  // namespace
@@ -91,12 +35,12 @@ double cost_of(const Drive& drive, const MotionCheck& check, const Steering& ste
   return cost;
 }
 
-Drive joined(const Drive& drive) {
+void join(Drive& drive) {
   constexpr double kSame = 1e-9;
-  Drive result;
-  for (const DrivenMotion& next : drive) {
-    if (!result.empty()) {
-      Motion& last = result.back().motion;
+  std::size_t count = 0;
+  for (const DrivenMotion next : drive) {
+    if (count > 0) {
+      Motion& last = drive[count - 1].motion;
       const Motion& motion = next.motion;
       const bool same = last.course == motion.course && gear_of(last) == gear_of(motion) &&
                         std::abs(last.turn * motion.length - motion.turn * last.length) < kSame &&
@@ -107,43 +51,84 @@ Drive joined(const Drive& drive) {
         continue;
       }
     }
-    result.push_back(next);
+    drive[count++] = next;
   }
-  return result;
+  drive.resize(count);
 }
 
-Drive shortened(const Drive& drive, const MotionCheck& check, const Steering& steering,
-                double spacing) {
-  const Drive pieces = cut(drive, spacing);
-  if (pieces.empty()) return drive;
-  std::vector<Knot> knots;
-  for (const DrivenMotion& piece : pieces) knots.push_back({piece.from});
-  knots.push_back({pose_after(pieces.back().from, pieces.back().motion)});
-  knots[0].cost = 0;
+/// Cuts a drive at its changes of motion and into pieces of at most the spacing.
+void DriveShortener::cut(const Drive& drive) {
+  pieces_.clear();
+  for (const DrivenMotion& driven : drive) {
+    const double length = std::abs(driven.motion.length);
+    const int count = std::max(1, static_cast<int>(std::ceil(length / spacing_)));
+    for (int i = 0; i < count; ++i) {
+      const Motion before = part_of(driven.motion, static_cast<double>(i) / count);
+      pieces_.push_back({pose_after(driven.from, before), part_of(driven.motion, 1.0 / count)});
+    }
+  }
+}
+
+bool DriveShortener::is_worth(std::size_t from, std::size_t to, double cost) const {
+  return knots_[from].cost + cost < knots_[to].cost - kLeastGain;
+}
+
+/// Offers the way along the drive from a knot to the next one.
+void DriveShortener::go_along(std::size_t from) {
+  const DrivenMotion& piece = pieces_[from];
+  int gear = knots_[from].gear;
+  const double way = check_.cost_of_way(piece.from, piece.motion);
+  const double cost = cost_behind(gear, piece.motion, way, steering_);
+  if (!is_worth(from, from + 1, cost)) return;
+  knots_[from + 1] = {knots_[from + 1].pose, knots_[from].cost + cost, gear, from, {piece}, 1};
+}
+
+/// Tries the cheapest connection between two knots.
+void DriveShortener::connect(std::size_t from, std::size_t to) {
+  const double bound = knots_[to].cost - knots_[from].cost;
+  Pose pose = knots_[from].pose;
+  const double straight = straight_distance(pose.point(), knots_[to].pose.point());
+  if (straight >= kStraightEnough * bound) return;
+  std::array<Connection, 1> best;
+  int gear = knots_[from].gear;
+  if (steering_.connect(pose, knots_[to].pose, gear, bound, best) == 0) return;
+  Knot knot{knots_[to].pose, 0, 0, from, {}, 0};
+  double cost = 0;
+  for (const Motion& motion : best[0].all()) {
+    const double way = check_.cost(pose, motion);
+    if (way == MotionCheck::kBlocked) return;
+    cost += cost_behind(gear, motion, way, steering_);
+    knot.way[knot.way_size++] = {pose, motion};
+    pose = pose_after(pose, motion);
+  }
+  if (!is_worth(from, to, cost)) return;
+  knot.cost = knots_[from].cost + cost;
+  knot.gear = gear;
+  knots_[to] = knot;
+}
+
+void DriveShortener::shorten(Drive& drive) {
+  if (drive.empty()) return;
+  cut(drive);
+  knots_.clear();
+  for (const DrivenMotion& piece : pieces_) knots_.push_back({piece.from});
+  knots_.push_back({pose_after(pieces_.back().from, pieces_.back().motion)});
+  knots_[0].cost = 0;
   // All ways along the drive first: they bound what a connection may cost.
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    int gear = knots[i].gear;
-    const double way = check.cost_of_way(pieces[i].from, pieces[i].motion);
-    const double cost = cost_behind(gear, pieces[i].motion, way, steering);
-    offer(knots, i, knots[i + 1], cost, gear, {pieces[i]});
-  }
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    if (i > 0) {
-      // What was gained before this knot, is gained on the way along the drive, too.
-      int gear = knots[i - 1].gear;
-      const double way = check.cost_of_way(pieces[i - 1].from, pieces[i - 1].motion);
-      const double cost = cost_behind(gear, pieces[i - 1].motion, way, steering);
-      offer(knots, i - 1, knots[i], cost, gear, {pieces[i - 1]});
-    }
+  for (std::size_t i = 0; i < pieces_.size(); ++i) go_along(i);
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    // What was gained before this knot is gained behind it, too.
+    if (i > 0) go_along(i - 1);
     for (const std::size_t hops : kHops) {
-      if (i + hops < knots.size()) connect(knots, i, i + hops, check, steering);
+      if (i + hops < knots_.size()) connect(i, i + hops);
     }
   }
-  Drive result;
-  for (std::size_t i = knots.size() - 1; i > 0; i = knots[i].before) {
-    result.insert(result.begin(), knots[i].way.begin(), knots[i].way.end());
+  go_along(pieces_.size() - 1);
+  drive.clear();
+  for (std::size_t i = knots_.size() - 1; i > 0; i = knots_[i].before) {
+    for (std::size_t k = knots_[i].way_size; k > 0; --k) drive.push_back(knots_[i].way[k - 1]);
   }
-  return result;
+  std::ranges::reverse(drive);
 }
 
 }  // namespace wend

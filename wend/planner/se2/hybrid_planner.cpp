@@ -70,6 +70,7 @@ std::optional<Error> HybridPlanner::do_update(const SpaceChange& /*change*/) {
 }
 
 void HybridPlanner::do_release() {
+  shortener_.reset();
   search_.reset();
   ground_.reset();
 }
@@ -147,8 +148,11 @@ std::optional<Point> HybridPlanner::do_nearest_free(const Goal& goal) const {
 
 Status HybridPlanner::do_plan(const Query& query, Plan& out) {
   if (!search_) {
-    search_ = std::make_unique<HybridPortfolio>(ground_, steering_,
-                                                resolution_for(free_space(), steering_, options_));
+    constexpr double kSpacing = 4;  // of the poses between which a drive is shortened, in steps
+    const HybridResolution resolution = resolution_for(free_space(), steering_, options_);
+    search_ = std::make_unique<HybridPortfolio>(ground_, steering_, resolution);
+    shortener_ =
+        std::make_unique<DriveShortener>(ground_->check(), steering_, kSpacing * resolution.step);
   }
   const SearchOutcome outcome = search_->run(query.start, goals_, query.limits, query.observer);
   out.metrics = search_->metrics();
@@ -159,12 +163,12 @@ Status HybridPlanner::do_plan(const Query& query, Plan& out) {
   return Status::found;
 }
 
-void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& out) const {
-  constexpr double kSpacing = 4;  // of the poses between which a drive is shortened, in steps
-  const double spacing = kSpacing * resolution_for(free_space(), steering_, options_).step;
-  const Drive drive = joined(shortened(finder.path(), ground_->check(), steering_, spacing));
+void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& out) {
+  finder.write_path(drive_);
+  shortener_->shorten(drive_);
+  join(drive_);
   out.path.drive_to(query.start);
-  for (const DrivenMotion& driven : drive) {
+  for (const DrivenMotion& driven : drive_) {
     const double turn = std::abs(driven.motion.turn);
     const auto parts = std::max(1, static_cast<int>(std::ceil(turn / kLongestTurn - kRounding)));
     for (int i = 1; i <= parts; ++i) {
@@ -172,7 +176,7 @@ void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& 
       out.path.drive_to(pose_after(driven.from, before));
     }
   }
-  out.cost = cost_of(drive, ground_->check(), steering_);
+  out.cost = cost_of(drive_, ground_->check(), steering_);
   const auto poses = out.path.driven_poses();
   const Frame& frame = free_space().map().frame();
   for (std::size_t i = 1; i < poses.size(); ++i) {

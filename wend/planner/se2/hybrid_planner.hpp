@@ -40,12 +40,14 @@ class HybridPlanner final : public Planner {
   std::optional<Status> take_goal(const Query& query, std::size_t index);
   std::optional<HybridGoal> place_for(const Goal& goal) const;
   std::optional<double> heading_at(Point point, const Goal& goal) const;
-  void write(const Query& query, const HybridSearch& finder, Plan& out) const;
+  void write(const Query& query, const HybridSearch& finder, Plan& out);
 
   HybridAStarOptions options_;
   Steering steering_;
   std::shared_ptr<const HybridGround> ground_;
   std::unique_ptr<HybridPortfolio> search_;
+  std::unique_ptr<DriveShortener> shortener_;
+  Drive drive_;
   std::vector<HybridGoal> goals_;
 };
 

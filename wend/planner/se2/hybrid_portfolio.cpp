@@ -9,9 +9,8 @@ namespace {
 constexpr std::uint64_t kFirstTurn = 400;  // expansions
 constexpr std::uint64_t kGrowth = 3;       // of the turns
 constexpr std::uint64_t kFirstFlood = 500;
-constexpr std::uint64_t kMostFloodFine =
-    20'000;                       // poses by fine motions, to confirm that a goal is boxed in
-constexpr double kNarrow = 0.75;  // room beside the robot, in steps
+constexpr std::uint64_t kMostFinest = 4'000;  // expansions of the last search
+constexpr double kNarrow = 0.75;              // room beside the robot, in steps
 constexpr float kNarrowFactor = 4;
 
 }  // namespace
@@ -22,11 +21,12 @@ HybridPortfolio::HybridPortfolio(std::shared_ptr<const HybridGround> ground,
 
 HybridResolution HybridPortfolio::resolution_of(Kind kind) const {
   HybridResolution resolution = resolution_;
-  if (kind != fine) return resolution;
-  resolution.position /= 2;
-  resolution.headings *= 2;
-  resolution.step /= 2;
-  resolution.trace_spacing *= 0.4;
+  if (kind < fine) return resolution;
+  const int finer = kind == fine ? 2 : 4;
+  resolution.position /= finer;
+  resolution.headings *= finer;
+  resolution.step /= finer;
+  resolution.trace_spacing *= 0.8 / finer;
   resolution.trace_period = 2;
   return resolution;
 }
@@ -35,14 +35,15 @@ void HybridPortfolio::make(Kind kind) {
   Member& member = members_[kind];
   const FreeSpace& space = ground_->free_space();
   const HybridResolution resolution = resolution_of(kind);
-  const double most = (kind == fine ? 1 : 1.5) * resolution.step;
-  const BitGrid& cells = kind == fine ? ground_->drivable() : space.possible();
+  const double most = (kind >= fine ? 1 : 1.5) * resolution.step;
+  const BitGrid& cells = kind >= fine ? ground_->drivable() : space.possible();
   member.grid = std::make_unique<CoarseGrid>(space, cells, coarse_size(space, most));
   if (kind == wide) {
     member.grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
   }
+  const bool from_goal = kind == backward || kind == finest_backward;
   const auto direction =
-      kind == backward ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
+      from_goal ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
   member.search = std::make_unique<HybridSearch>(ground_->check(), steering_, ring_, *member.grid,
                                                  resolution, direction);
 }
@@ -62,8 +63,8 @@ SearchOutcome HybridPortfolio::run_member(Kind kind, std::uint64_t most, const L
     member.search->begin(start_, goals_, observer_);
     member.begun = true;
   }
-  const std::uint64_t last = member.search->metrics().expanded + most;
-  while (member.search->metrics().expanded < last || member.search->has_path()) {
+  const std::uint64_t begun = member.search->metrics().expanded;
+  while (member.search->metrics().expanded - begun < most || member.search->has_path()) {
     if (const auto outcome = stopped(limits, end)) return *outcome;
     constexpr std::uint64_t kAtOnce = 64;
     const std::uint64_t left = limits.expansions - metrics().expanded;
@@ -73,22 +74,20 @@ SearchOutcome HybridPortfolio::run_member(Kind kind, std::uint64_t most, const L
   return SearchOutcome::running;
 }
 
-/// Is the goal boxed in?
+/// Does the flood from the goal end?
 bool HybridPortfolio::flood(std::uint64_t most) {
   if (!flood_) {
     flood_ = std::make_unique<GoalFlood>(ground_->check(), steering_, resolution_);
-    fine_flood_ = std::make_unique<GoalFlood>(ground_->check(), steering_, resolution_of(fine));
   }
   if (most == kFirstFlood) flood_->begin(goals_);
-  if (!flood_->run(most)) return false;
-  fine_flood_->begin(goals_);
-  return fine_flood_->run(kMostFloodFine);
+  return flood_->run(most);
 }
 
 SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal> goals,
                                    const Limits& limits, SearchObserver* observer) {
   for (Member& member : members_) member.begun = member.exhausted = false;
-  members_[backward].exhausted = goals.size() != 1 || !goals.front().wants_heading();
+  const bool one_pose = goals.size() == 1 && goals.front().wants_heading();
+  members_[backward].exhausted = !one_pose;
   finder_ = nullptr;
   boxed_in_ = false;
   start_ = start;
@@ -103,12 +102,15 @@ SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal
       const SearchOutcome outcome = run_member(kind, turn, limits, end);
       if (member.search->has_path()) finder_ = member.search.get();
       if (outcome == SearchOutcome::running) continue;
-      if (outcome != SearchOutcome::exhausted || kind == fine) return outcome;
+      if (outcome != SearchOutcome::exhausted) return outcome;
       member.exhausted = true;
     }
-    if (flood(flooded)) {
-      boxed_in_ = true;
-      return SearchOutcome::exhausted;
+    boxed_in_ = flood(flooded);
+    if (boxed_in_ || members_[fine].exhausted) {
+      const Kind last = boxed_in_ && one_pose ? finest_backward : finest;
+      const SearchOutcome outcome = run_member(last, kMostFinest, limits, end);
+      if (members_[last].search->has_path()) finder_ = members_[last].search.get();
+      return outcome == SearchOutcome::running ? SearchOutcome::exhausted : outcome;
     }
     flooded *= kGrowth + 1;
   }

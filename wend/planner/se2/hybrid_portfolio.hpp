@@ -6,10 +6,11 @@
 //   direct   the costs as they are
 //   backward from the goal to the start: where it is difficult to arrive, it is easy to leave
 //   wide     a heuristic that avoids narrow places
-//   fine     smaller boxes and shorter motions; only its end means that there is no path
+//   fine     smaller boxes and shorter motions
 //
-// A flood from the goal runs along with them: where the goal is boxed in, it ends soon. The searches are made when
-// they are first needed.
+// A flood from the goal runs along with them: where the goal is boxed in, it ends soon. Once one of the two is at its
+// end, a fifth search looks closer still; only its end means that there is no path. The searches are made when they
+// are first needed.
 
 #include <array>
 #include <cstdint>
@@ -46,8 +47,8 @@ class HybridPortfolio {
   bool goal_is_boxed_in() const { return boxed_in_; }
 
  private:
-  enum Kind : std::size_t { direct, backward, wide, fine };
-  static constexpr std::size_t kKinds = 4;
+  enum Kind : std::size_t { direct, backward, wide, fine, finest, finest_backward };
+  static constexpr std::size_t kKinds = 6;
 
   struct Member {
     std::unique_ptr<CoarseGrid> grid;
@@ -68,7 +69,6 @@ class HybridPortfolio {
   GoalRing ring_;
   std::array<Member, kKinds> members_;
   std::unique_ptr<GoalFlood> flood_;
-  std::unique_ptr<GoalFlood> fine_flood_;
   const HybridSearch* finder_ = nullptr;
   Pose start_;
   std::span<const HybridGoal> goals_;

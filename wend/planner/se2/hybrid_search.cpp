@@ -68,9 +68,9 @@ void HybridSearch::begin(const Pose& first, std::span<const HybridGoal> goals,
   best_ = kNone;
   best_cost_ = kNoWay;
   expanded_at_first_path_ = 0;
-  std::vector<CostField::Seed> seeds;
-  for (const HybridGoal& goal : goals_) seeds.push_back(seed_of(goal));
-  field_.begin(seeds, start.point());
+  seeds_.clear();
+  for (const HybridGoal& goal : goals_) seeds_.push_back(seed_of(goal));
+  field_.begin(seeds_, start.point());
   field_.settle(start.point());
   const CostField::Value h = estimate(start);
   if (!(h.cost < kNoWay)) return;
@@ -382,14 +382,12 @@ void HybridSearch::offer_goal(Index node, const HybridGoal& goal) {
   best_goal_ = goal.index;
 }
 
-Drive HybridSearch::path() const {
-  std::vector<Index> chain;
-  for (Index node = best_; node != kNone; node = nodes_[node].parent) chain.push_back(node);
-  std::ranges::reverse(chain);
-  Drive path;
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    const Node& node = nodes_[chain[i]];
-    Pose pose = nodes_[chain[i - 1]].pose;
+void HybridSearch::write_path(Drive& path) const {
+  path.clear();
+  for (Index i = best_; nodes_[i].parent != kNone; i = nodes_[i].parent) {
+    const Node& node = nodes_[i];
+    const std::size_t first = path.size();
+    Pose pose = nodes_[node.parent].pose;
     for (std::size_t k = 0; k < node.motion_count; ++k) {
       const Motion& motion = motions_[node.first_motion + k];
       const Pose next = pose_after(pose, motion);
@@ -400,9 +398,9 @@ Drive HybridSearch::path() const {
       }
       pose = next;
     }
+    std::reverse(path.begin() + static_cast<std::ptrdiff_t>(first), path.end());
   }
-  if (direction_ == Direction::from_goal) std::ranges::reverse(path);
-  return path;
+  if (direction_ == Direction::from_start) std::ranges::reverse(path);
 }
 
 void HybridSearch::tell(const Node& node, bool expanded) {

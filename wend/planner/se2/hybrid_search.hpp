@@ -53,8 +53,8 @@ class HybridSearch {
   double best_cost() const { return best_cost_; }
   /// The index of the goal that the path reaches.
   std::size_t goal() const { return best_goal_; }
-  /// The motions of the path from the start on.
-  Drive path() const;
+  /// Writes the motions of the path from the start on.
+  void write_path(Drive& path) const;
 
   const SearchMetrics& metrics() const { return metrics_; }
   /// The heuristic from a pose to the goals of the query; no more than is known of it.
@@ -126,6 +126,7 @@ class HybridSearch {
   std::vector<Motion> motions_;
   std::vector<Open> open_;
   std::vector<TracePoint> trace_;
+  std::vector<CostField::Seed> seeds_;
   std::span<const HybridGoal> goals_;
   SearchObserver* observer_ = nullptr;
   SearchMetrics metrics_;

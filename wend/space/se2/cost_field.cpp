@@ -122,9 +122,9 @@ void CostField::push(const Waiting& waiting) {
 void CostField::fetch_far() {
   if (queued_ == 0) bucket_ = std::max(bucket_, next_far_);
   next_far_ = kNever;
-  std::vector<Waiting> far;
-  far.swap(far_);
-  for (const Waiting& waiting : far) push(waiting);
+  fetched_.swap(far_);
+  far_.clear();
+  for (const Waiting& waiting : fetched_) push(waiting);
 }
 
 bool CostField::settle_next() {

@@ -95,6 +95,7 @@ class CostField {
   std::size_t bucket_ = 0;         // the current one, counted from begin()
   std::size_t queued_ = 0;         // in the buckets
   std::vector<Waiting> far_;       // too far ahead for the buckets
+  std::vector<Waiting> fetched_;   // from there
   std::size_t next_far_ = kNever;  // the first bucket of these
   std::size_t settled_ = 0;
   float first_key_ = 0;

@@ -5,6 +5,7 @@
 
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/robot/fits_along.hpp"
+#include "wend/robot/placed_polygon.hpp"
 #include "wend/robot/sweep.hpp"
 
 namespace wend {
@@ -71,7 +72,6 @@ MotionCheck::MotionCheck(const FreeSpace& space)
     : space_(space),
       rows_(space.outline() != nullptr ? FootprintRows(*space.outline()) : FootprintRows()),
       circumscribed_(space.radius_in_cells()),
-      inscribed_(space.inscribed_radius_in_cells()),
       spin_(space.outline() != nullptr ? circumscribed_ : 0),
       known_(known_distance(space)),
       plain_room_(plain_room(space)) {}
@@ -82,7 +82,7 @@ int MotionCheck::pieces_of(const Motion& motion) const {
 }
 
 double MotionCheck::room_at(Point point) const {
-  const Cell cell = cell_at(point);
+  const Cell cell = nearest_cell(space_, point);  // the point may lie on the edge of the map
   if (known_ == 0) {
     return near_clearance(space_, cell) - circumscribed_ -
            straight_distance(point, centre_of(cell));

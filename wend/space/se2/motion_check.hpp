@@ -49,7 +49,7 @@ class MotionCheck {
   double cost_of_way(const Pose& from, const Motion& motion) const;
 
   /// The clearance of the base point beyond the circumscribed disc, in cells, or less; negative where the disc does
-  /// not fit. The point is on the map. O(1).
+  /// not fit. The point is on the map or its edge. O(1).
   double room_at(Point point) const;
 
  private:
@@ -65,7 +65,6 @@ class MotionCheck {
   FreeSpace space_;
   FootprintRows rows_;    // of a polygon
   double circumscribed_;  // cells
-  double inscribed_;      // cells
   double spin_;           // how far the farthest corner moves in a turn by a radian, in cells
   std::uint32_t known_;   // distances up to here are at hand, squared and in half-cells
   double plain_room_;     // with this room beside the robot, nothing costs more than its length

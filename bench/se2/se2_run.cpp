@@ -1,0 +1,123 @@
+#include "bench/se2/se2_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bench/boost/boost_astar.hpp"
+#include "bench/measure/measuring.hpp"
+#include "bench/se2/exhaustive_drive.hpp"
+#include "wend/base/status.hpp"
+#include "wend/base/thread_time.hpp"
+
+namespace wend::bench {
+namespace {
+
+/// Adds the turning radius, if the planner has such an option and it is not set.
+void set_turning_radius(const PlannerInfo& info, double radius, OptionValues& options) {
+  const std::string name = "turning_radius";
+  const bool has_it = std::ranges::any_of(
+      info.options, [&](const OptionInfo& option) { return option.name == name; });
+  const bool is_set =
+      std::ranges::any_of(options, [&](const auto& option) { return option.first == name; });
+  if (has_it && !is_set) options.emplace_back(name, format_number(radius));
+}
+
+/// The least time of an action in ms. A slow one is done once.
+template <class Action>
+double least_ms(int rounds, Action&& action) {
+  constexpr double kSlow = 1000;
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rounds; ++round) {
+    const double begun = thread_cpu_seconds();
+    action();
+    least = std::min(least, (thread_cpu_seconds() - begun) * 1e3);
+    if (least > kSlow) break;
+  }
+  return least;
+}
+
+/// What the checker holds a plan to. A lattice moves the ends to its states, and says how far.
+test::DriveRules rules_for(const Plan& plan, double radius) {
+  test::DriveRules rules{.turning_radius = radius};
+  const auto widened = [&rules](const SnappingError& error) {
+    return rules.end_tolerance + std::max(error.distance, error.turn);
+  };
+  rules.end_tolerance =
+      std::max(widened(plan.start_snapping_error), widened(plan.goal_snapping_error));
+  return rules;
+}
+
+void note_path(const FreeSpace& space, const Query& query, const Plan& plan, double radius,
+               std::size_t number, Se2Run& run) {
+  const double resolution = space.map().frame().resolution;
+  const test::DriveReport report =
+      test::checked_drive(space, plan.path, query, rules_for(plan, radius));
+  if (!report.fault.empty())
+    run.faults.push_back(fmt::format("query {}: {}", number, report.fault));
+  run.length += report.length * resolution;
+  run.gear_changes += static_cast<std::size_t>(report.gear_changes);
+  run.costs.emplace_back(plan.cost * resolution);
+}
+
+std::string verdict(const FreeSpace& space, const Query& query, double radius) {
+  const ExhaustiveAnswer answer = exhaustive_drive(space, query, radius);
+  return fmt::format("; the exhaustive search {} after {} states",
+                     answer.found ? "FINDS A DRIVE" : "finds none", answer.states);
+}
+
+}  // namespace
+
+Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
+                                const std::vector<Query>& queries, const Se2Settings& settings) {
+  set_turning_radius(*planners().find(spec.name), settings.turning_radius, spec.options);
+  Se2Run run;
+  const double resident = resident_bytes();
+  const double begun = thread_cpu_seconds();
+  const auto planner = make_planner(spec.name, space, spec.options);
+  if (!planner) return Unexpected<Error>(planner.error());
+  run.making_ms = (thread_cpu_seconds() - begun) * 1e3;
+
+  const double radius = settings.turning_radius / space.map().frame().resolution;
+  Plan plan;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    Query query = queries[i];
+    query.limits.seconds = settings.seconds;
+    Status status = Status::found;
+    const auto ask = [&] { status = (*planner)->plan(query, plan); };
+    if (i == 0) run.first_query_ms = least_ms(1, ask);
+    run.ms.push_back(least_ms(settings.rounds, ask));
+    run.expanded.push_back(static_cast<double>(plan.metrics.expanded));
+    if (status == Status::found) {
+      note_path(space, query, plan, radius, i, run);
+      continue;
+    }
+    run.costs.emplace_back();
+    run.unsolved.push_back(fmt::format("query {}: {}: {}{}", i, to_string(status),
+                                       (*planner)->reason(query, status),
+                                       settings.exhaustive ? verdict(space, query, radius) : ""));
+  }
+  run.resident_mb = (resident_bytes() - resident) / 1e6;
+  return run;
+}
+
+std::vector<double> boost_ms(const FreeSpace& space, const std::vector<Query>& queries,
+                             int rounds) {
+  const FreeSpaceOptions with = space.options();
+  const FreeSpace disc = *make_free_space(
+      space.map(), {.footprint = Footprint::disc(space.footprint().inscribed_radius()),
+                    .unknown = with.unknown,
+                    .outside = with.outside});
+  BoostAStar astar(disc);
+  Path path;
+  std::vector<double> times;
+  for (const Query& query : queries) {
+    const Cell from = cell_at(query.start.point());
+    const Cell to = cell_at(query.goals.front().point);
+    times.push_back(least_ms(rounds, [&] { astar.plan(from, to, path); }));
+  }
+  return times;
+}
+
+}  // namespace wend::bench

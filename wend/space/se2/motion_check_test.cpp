@@ -1,0 +1,133 @@
+#include "wend/space/se2/motion_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "wend/base/random.hpp"
+#include "wend/space/se2/coarse_grid.hpp"
+#include "wend/space/se2/cost_field.hpp"
+
+namespace wend {
+namespace {
+
+FreeSpace random_space(Random& random, const Footprint& footprint) {
+  const int width = random.between(6, 20);
+  const int height = random.between(6, 20);
+  Grid<CellState> states(width, height, CellState::free);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (random.chance(0.06)) states[{x, y}] = CellState::occupied;
+    }
+  }
+  return *make_free_space(*make_grid_map(states), {.footprint = footprint});
+}
+
+Motion random_motion(Random& random) {
+  const double length = 6 * random.uniform() - 3;
+  return {length, random.chance(0.3) ? 0 : length * (2 * random.uniform() - 1) / 2, 0};
+}
+
+/// Places along a motion, close to each other.
+template <class Visit>
+void for_each_place(const Pose& from, const Motion& motion, Visit&& visit) {
+  constexpr int kPlaces = 300;
+  for (int i = 0; i <= kPlaces; ++i) {
+    visit(pose_after(from, part_of(motion, static_cast<double>(i) / kPlaces)));
+  }
+}
+
+class MotionsOf : public ::testing::TestWithParam<std::string> {};
+
+/// A motion that the check lets pass is free at every place. What it refuses is blocked for a robot that is a
+/// little larger.
+TEST_P(MotionsOf, AreFreeWhereTheyPassAndTightWhereTheyDoNot) {
+  const Footprint footprint = *parse_footprint(GetParam());
+  int passed = 0;
+  int refused = 0;
+  for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const FreeSpace space = random_space(random, footprint);
+    const FreeSpace larger =
+        *make_free_space(space.obstacles(), {.footprint = footprint.scaled(1.25)});
+    const MotionCheck check(space);
+    const Pose from{space.width() * random.uniform(), space.height() * random.uniform(),
+                    2 * kPi * random.uniform()};
+    if (!space.fits(from)) continue;
+    const Motion motion = random_motion(random);
+    bool free = true;
+    bool wide = true;
+    for_each_place(from, motion, [&](const Pose& pose) {
+      free = free && space.fits(pose);
+      wide = wide && larger.fits(pose);
+    });
+    if (check.fits(from, motion)) {
+      ++passed;
+      EXPECT_TRUE(free);
+    } else {
+      ++refused;
+      EXPECT_FALSE(wide);
+    }
+  }
+  EXPECT_GT(passed, 100);
+  EXPECT_GT(refused, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Footprints, MotionsOf,
+                         ::testing::Values("disc:0.45", "disc:1.2",
+                                           "1,0.5;-0.6,0.5;-0.6,-0.5;1,-0.5",
+                                           "1,0.6;0,0.2;-1,0.6;-1,-0.6;0,-0.4;1,-0.6"));
+
+TEST(MotionCheck, NeverCrossesAThinWall) {
+  Grid<CellState> states(40, 9, CellState::free);
+  for (int y = 0; y < 9; ++y) states[{20, y}] = CellState::occupied;
+  const FreeSpace space =
+      *make_free_space(*make_grid_map(states), {.footprint = Footprint::disc(0.4)});
+  const MotionCheck check(space);
+  for (double length = 1; length < 38; length += 0.37) {
+    const bool reaches = 1.5 + length > 20 - 0.4;
+    EXPECT_EQ(check.fits({1.5, 4.5, 0}, {length, 0, 0}), !reaches) << length;
+  }
+}
+
+TEST(MotionCheck, CountsTheCostsOfTheCellsOfTheWay) {
+  Grid<CellState> states(20, 5, CellState::free);
+  Grid<double> terrain(20, 5, 1);
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 10; x < 20; ++x) terrain[{x, y}] = 3;
+  }
+  const FreeSpace space = *make_free_space(*make_grid_map(states, {}, terrain), {});
+  const MotionCheck check(space);
+  EXPECT_DOUBLE_EQ(check.cost({5, 2.5, 0}, {10, 0, 0}), 5 * 1 + 5 * 3);
+  EXPECT_DOUBLE_EQ(check.cost_of_way({15, 2.5, kPi}, {10, 0, 0}), 5 * 1 + 5 * 3);
+}
+
+/// No way on the field is shorter than the line, and none is much longer where nothing is in the way. What a field
+/// says before it has settled a place is no more than what it settles.
+TEST(SquareCostField, IsNearTheDistanceAndItsBoundsHold) {
+  const FreeSpace space = *make_free_space(
+      *make_grid_map(Grid<CellState>(120, 90, CellState::free)), {.footprint = Footprint::disc(3)});
+  const CoarseGrid grid(space, cells_to_drive_in(space), 3);
+  CostField field(grid);
+  const Point goal{20.5, 30.5};
+  const CostField::Seed seed{goal, [&](Point at) { return straight_distance(at, goal); }, 12};
+  field.begin({&seed, 1}, {100, 70});
+  field.settle({100, 70});
+  for (double x = 10; x < 110; x += 7) {
+    for (double y = 10; y < 80; y += 7) {
+      const CostField::Value before = field.at({x, y});
+      field.settle({x, y});
+      const CostField::Value after = field.at({x, y});
+      ASSERT_TRUE(after.exact);
+      EXPECT_LE(before.cost, after.cost + 1e-3);
+      const double line = straight_distance({x, y}, goal);
+      EXPECT_GE(after.cost, line - 0.1);
+      EXPECT_LE(after.cost, 1.06 * line + 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wend
