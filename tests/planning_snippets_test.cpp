@@ -19,6 +19,7 @@
 #include "tests/snippets.hpp"
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/analysis/layer.hpp"
+#include "wend/analysis/no_drive.hpp"
 #include "wend/analysis/no_path.hpp"
 #include "wend/analysis/search_recorder.hpp"
 #include "wend/analysis/widest_path.hpp"
@@ -319,6 +320,31 @@ TEST(Snippets, OfWidestPathAndNoPath) {
   const wend::NoPath why = wend::explain_no_path(space, start, goal);
   for (const wend::Way& way : why.ways) suggest(way);
   EXPECT_EQ(reported, "a smaller robot");
+}
+
+void suggest_radius(double radius) {
+  reported = radius < 12 ? "a smaller radius" : "something else";
+}
+
+TEST(Snippets, OfHybridAStarOptions) {
+  const wend::FreeSpace space = open_ground();
+  const auto planner = wend::make_planner(space, wend::HybridAStarOptions{.turning_radius = 0.4});
+  EXPECT_TRUE(planner);
+}
+
+TEST(Snippets, OfNoDrive) {
+  wend::Grid<wend::CellState> cells(12, 9, wend::CellState::free);
+  for (int y = 3; y < 9; ++y) {
+    for (int x = 3; x < 12; ++x) cells[{x, y}] = wend::CellState::occupied;
+  }
+  const wend::FreeSpace space =
+      *wend::make_free_space(*wend::make_grid_map(cells),
+                             {.footprint = *wend::parse_footprint("1,1.2; 1,-1.2; -1,-1.2; -1,1.2"),
+                              .outside = wend::OutsidePolicy::blocked});
+  const wend::Query query{{1.5, 7.5, -wend::kPi / 2}, {wend::Goal(wend::Pose{10, 1.5, 0})}};
+  const auto why = wend::explain_no_drive(space, query, {.turning_radius = 12});
+  if (why && why->turning_radius) suggest_radius(*why->turning_radius);
+  EXPECT_EQ(reported, "a smaller radius");
 }
 
 std::string compare(const wend::FreeSpace& space, const wend::Clock& clock) {

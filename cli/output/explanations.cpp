@@ -1,5 +1,9 @@
 #include "cli/output/explanations.hpp"
 
+#include <fmt/format.h>
+
+#include "cli/output/terminal.hpp"
+
 namespace wend::cli {
 
 Hints command_line_hints() {
@@ -11,7 +15,15 @@ Hints command_line_hints() {
           .explain = "`wend explain` shows where",
           .limit_expansions = "--limit-expansions",
           .limit_seconds = "--limit-time",
-          .limit_steps = "--max-steps"};
+          .limit_steps = "--max-steps",
+          .turning_radius = "--turning-radius",
+          .allow_reverse = "--allow-reverse"};
+}
+
+std::string explanation_line(std::string_view name, const std::string& what) {
+  constexpr int kColumns = 80;
+  constexpr int kNameColumns = 18;
+  return folded(fmt::format("{:<{}}{}", name, kNameColumns, what), kColumns, kNameColumns) + "\n";
 }
 
 Explainer explainer_for(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves) {

@@ -58,18 +58,6 @@ Policy policy_of(const std::string& text, const std::string& name) {
       option_text::option_error(name, option_text::unknown_choice(text, {"blocked", "free"})));
 }
 
-Hints hints() {
-  return {.unknown_free = "unknown=\"free\"",
-          .outside_free = "outside=\"free\"",
-          .squeeze = "corner_rule=\"both\"",
-          .robot_radius = "footprint=",
-          .nearest = "nearest=True",
-          .explain = "FreeSpace.explain()",
-          .limit_expansions = "expansions=",
-          .limit_seconds = "time_limit=",
-          .limit_steps = "max_steps="};
-}
-
 std::unique_ptr<Space> space_of(const GridMap& map, nb::handle footprint,
                                 const std::string& unknown,
                                 const std::optional<std::string>& outside,
@@ -221,6 +209,20 @@ auto costs(const Space& space) {
 
 }  // namespace
 
+Hints hints() {
+  return {.unknown_free = "unknown=\"free\"",
+          .outside_free = "outside=\"free\"",
+          .squeeze = "corner_rule=\"both\"",
+          .robot_radius = "footprint=",
+          .nearest = "nearest=True",
+          .explain = "FreeSpace.explain()",
+          .limit_expansions = "expansions=",
+          .limit_seconds = "time_limit=",
+          .limit_steps = "max_steps=",
+          .turning_radius = "turning_radius=",
+          .allow_reverse = "allow_reverse=True"};
+}
+
 Session::View Space::view() const {
   {
     const std::lock_guard lock(mutex_);
@@ -248,6 +250,7 @@ SpaceChange Space::edit(const MapEdit& edit) {
 void bind_space(nb::module_& module) {
   nb::class_<Space> space(module, "Space", "A map with a robot.");
   bind_planning(space);
+  bind_drives(space);
   bind_edits(space);
   bind_exploration(space);
   space

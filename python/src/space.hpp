@@ -40,6 +40,12 @@ void bind_planning(nanobind::class_<Space>& space);
 /// Adds explore().
 void bind_exploration(nanobind::class_<Space>& space);
 
+/// Adds explain_drive().
+void bind_drives(nanobind::class_<Space>& space);
+
+/// What explanations call the arguments of Python.
+Hints hints();
+
 /// Adds edit() and edit_cells().
 void bind_edits(nanobind::class_<Space>& space);
 

@@ -112,6 +112,29 @@ def test_explains() -> None:
     assert room().why_blocked((0.55, 0.55)) is None
 
 
+def test_explains_drives() -> None:
+    cells = np.zeros((9, 21))
+    cells[[0, 1, 2, 5, 6, 7, 8], 10] = 1
+
+    def space_of(scale: float) -> wend.FreeSpace:
+        corners = [(1.5, 1.15), (1.5, -1.15), (-1.5, -1.15), (-1.5, 1.15)]
+        robot = [(scale * x, scale * y) for x, y in corners]
+        return wend.Map(cells, resolution=0.5).free_space(robot, outside="blocked")
+
+    space = space_of(0.5)
+    start, goal = (2, 2, 0), (8, 2, 0)
+    why = space.explain_drive(start, goal, turning_radius=1)
+    assert not why.drive_exists and why.turning_radius is None and why.reverse_helps is None
+    assert why.footprint_scale is not None and 0.7 < why.footprint_scale <= 1 / 1.15
+    assert why.narrowest is not None and why.narrowest[0] == 5.25 and why.narrowest_radius == 0.25
+    assert "A drive exists with a footprint of at most" in why.text
+    smaller = space_of(0.5 * why.footprint_scale)
+    assert smaller.explain_drive(start, goal, turning_radius=1).drive_exists
+    assert smaller.explain_drive(start, goal[:2], turning_radius=1).text == "there is a drive"
+    with pytest.raises(wend.InvalidArgument, match="turning_radius greater than 0"):
+        space.explain_drive(start, goal, turning_radius=0)
+
+
 def test_passable_and_clearance_agree() -> None:
     space = room(0.25)
     assert space.passable.dtype == np.bool_

@@ -18,7 +18,7 @@ from ._map import Map
 from ._plan import Drive, Plan, Quality, Trajectory, follow
 from ._registry import ControllerInfo, OptionInfo, PlannerInfo, SmootherInfo, controllers, planners, smoothers
 from ._search import Comparison, PlannerBase, compare, search
-from ._space import Explanation, FreeSpace, Way
+from ._space import DriveExplanation, Explanation, FreeSpace, Way
 from ._trace import Event, Trace
 
 __all__ = [
@@ -28,6 +28,7 @@ __all__ = [
     "Drive",
     "Error",
     "Event",
+    "DriveExplanation",
     "Explanation",
     "Exploration",
     "FreeSpace",

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ._index import Index
     from ._map import Map
 
-__all__ = ["Explanation", "FreeSpace", "Way"]
+__all__ = ["DriveExplanation", "Explanation", "FreeSpace", "Way"]
 
 Connectivity = Literal[4, 8]
 CornerRule = Literal["none", "one", "both"]
@@ -57,6 +57,25 @@ class Explanation(NamedTuple):
     """The same for the goal."""
     ways: tuple[Way, ...]
     """What would open a path, fewest changes first; empty if nothing does."""
+
+
+class DriveExplanation(NamedTuple):
+    """Why ``hybrid_astar`` finds no drive, or that it finds one; what would help was found by planning."""
+
+    text: str
+    """One or more sentences; the coordinates of its reason are in cells."""
+    drive_exists: bool
+    """Is there a drive after all?"""
+    footprint_scale: float | None
+    """Below 1: the largest scale of the footprint for which there is a drive; None if no scale was found."""
+    turning_radius: float | None
+    """The largest turning radius below the asked one with which there is a drive, in metres; None if none was found."""
+    reverse_helps: bool | None
+    """Is there a drive in reverse? None if the robot may reverse already, or if an end is blocked."""
+    narrowest: tuple[float, float] | None
+    """The narrowest place of the widest path of a disc, in metres; None if not even a point gets through."""
+    narrowest_radius: float | None
+    """The radius of the largest disc that gets through there, in metres."""
 
 
 class FreeSpace:
@@ -268,6 +287,27 @@ class FreeSpace:
             start, goal, str(connectivity), corner_rule
         )
         return Explanation(text, path_exists, start_component, goal_component, tuple(Way(*way) for way in ways))
+
+    @named_types
+    def explain_drive(self, start: Pose, goal: Pose, **options: object) -> DriveExplanation:
+        """Why ``hybrid_astar`` finds no drive, and what would open one: a smaller footprint or turning radius, or reverse
+        gear. Up to 20 searches of 20,000 expansions each; Ctrl-C stops them.
+
+        :param start: (x, y, heading).
+        :param goal: (x, y, heading) or (x, y), with any heading.
+        :param options: those of the planner.
+        :raises ValueError: an unknown option, or a value out of range.
+
+        >>> import numpy as np, wend
+        >>> cells = np.zeros((9, 9))
+        >>> cells[3:, 3:] = 1
+        >>> robot = [(1, 1.2), (1, -1.2), (-1, -1.2), (-1, 1.2)]
+        >>> space = wend.Map(cells).free_space(robot, outside="blocked")
+        >>> why = space.explain_drive((1.5, 7.5, -np.pi / 2), (7.5, 1.5, 0), turning_radius=12)
+        >>> why.drive_exists, why.turning_radius is not None and why.turning_radius < 12
+        (False, True)
+        """
+        return DriveExplanation(*self._inner.explain_drive(start, goal, text_of(options)))
 
     def fits(self, pose: Pose) -> bool:
         """May the robot stand at (x, y) or (x, y, heading)? Without a heading: at the heading 0.

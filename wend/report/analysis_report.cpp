@@ -82,4 +82,22 @@ std::string no_path_json(const NoPath& why, const Frame& frame) {
   return text_of(json);
 }
 
+std::string no_drive_json(const NoDrive& why, const FreeSpace& space) {
+  const Frame& frame = space.map().frame();
+  Json json{{"status", to_string(why.status)},
+            {"reason", why.drive_exists() ? Json() : Json(why.reason)},
+            {"widest", why.widest ? json_of(*why.widest, frame) : Json()},
+            {"inscribed_radius_cells", space.inscribed_radius_in_cells()},
+            {"footprint_scale", nullptr},
+            {"turning_radius_cells", nullptr},
+            {"turning_radius_m", nullptr},
+            {"reverse_helps", nullptr},
+            {"expanded", why.expanded}};
+  if (why.footprint_scale) json["footprint_scale"] = *why.footprint_scale;
+  if (why.turning_radius) json["turning_radius_cells"] = *why.turning_radius / frame.resolution;
+  if (why.turning_radius && frame.metric) json["turning_radius_m"] = *why.turning_radius;
+  if (why.reverse_helps) json["reverse_helps"] = *why.reverse_helps;
+  return text_of(json);
+}
+
 }  // namespace wend

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wend/analysis/cost_to_go.hpp"
+#include "wend/analysis/no_drive.hpp"
 #include "wend/analysis/no_path.hpp"
 #include "wend/report/plan_report.hpp"
 
@@ -48,5 +49,15 @@ std::string field_csv(const CostToGo& field, const Frame& frame);
 /// point gets through; the metres are null where the map has none. `status` is `found` if there is a path
 /// after all. One line with its line end.
 std::string no_path_json(const NoPath& why, const Frame& frame);
+
+/// Explains why there is no drive:
+///
+///   {"schema": 1, "status": "unreachable", "reason": "...", "widest": {...} or null,
+///    "inscribed_radius_cells": 3.5, "footprint_scale": 0.8, "turning_radius_cells": 7.5, "turning_radius_m": 0.38,
+///    "reverse_helps": true, "expanded": 4711}
+///
+/// `widest` is as in no_path_json(). What would not help, or does not apply, is null; the metres are null where the map
+/// has none. `reason` is null if there is a drive after all. One line with its line end.
+std::string no_drive_json(const NoDrive& why, const FreeSpace& space);
 
 }  // namespace wend

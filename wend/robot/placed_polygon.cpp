@@ -96,6 +96,14 @@ bool PlacedPolygon::overlaps_along(Point by, Cell square) const {
   return is_inside(corners(), passed.centre());
 }
 
+std::optional<std::size_t> PlacedPolygon::side_across(Cell square) const {
+  const PassedSquares passed({0, 0}, square);
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (passed.meet(edge(i))) return i;
+  }
+  return std::nullopt;
+}
+
 double PlacedPolygon::distance_to(Cell square) const {
   if (is_inside(corners(), centre_of(square))) return 0;
   double least = std::numeric_limits<double>::infinity();

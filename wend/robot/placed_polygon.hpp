@@ -10,6 +10,8 @@
 // that a polygon that enters a square by less than kOverlapTolerance only touches it. O(corners).
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
 
 #include "wend/base/compiler.hpp"
@@ -35,6 +37,10 @@ class WEND_API PlacedPolygon {
 
   /// Does the polygon overlap the square of a cell?
   bool overlaps(Cell square) const { return overlaps_along({0, 0}, square); }
+
+  /// The first side that enters the square of a cell: that from this corner to the next one. Nothing if they do not
+  /// overlap, or if the polygon covers the whole square.
+  std::optional<std::size_t> side_across(Cell square) const;
 
   /// Does the polygon overlap the square somewhere while it moves by `by`, without turning?
   bool overlaps_along(Point by, Cell square) const;

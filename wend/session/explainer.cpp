@@ -225,6 +225,30 @@ std::string Explainer::change(const Way& way) const {
   return joined_texts(changes, " and ");
 }
 
+std::vector<std::string> Explainer::changes(const NoDrive& why) const {
+  std::vector<std::string> changes;
+  if (why.footprint_scale) {
+    const double percent = std::floor(*why.footprint_scale * 1000) / 10;
+    changes.push_back("a footprint of at most " + format_number(percent) + " % of the size");
+  }
+  if (why.turning_radius) {
+    const double cells = *why.turning_radius / units_.frame().resolution;
+    changes.push_back("a turning radius of at most " + units_.length(cells) +
+                      in_brackets(hints_.turning_radius, units_.radius(cells)));
+  }
+  if (why.reverse_helps == true) {
+    changes.push_back("driving in reverse" + in_brackets(hints_.allow_reverse));
+  }
+  return changes;
+}
+
+std::string Explainer::explain(const NoDrive& why) const {
+  if (why.drive_exists()) return "there is a drive";
+  const auto helps = changes(why);
+  if (helps.empty()) return why.reason;
+  return why.reason + ". A drive exists with " + joined_texts(helps, "; or ");
+}
+
 std::string Explainer::width(const WidestPath& widest) const {
   if (std::isinf(widest.radius)) return "of any size: no obstacle is in the way";
   return "with a radius of up to " + units_.length(widest.radius) + ", narrowest at " +

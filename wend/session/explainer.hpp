@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/analysis/no_drive.hpp"
 #include "wend/analysis/no_path.hpp"
 #include "wend/base/compiler.hpp"
 #include "wend/base/limits.hpp"
@@ -34,6 +35,8 @@ struct Hints {
   std::string limit_expansions = {};  // a number follows
   std::string limit_seconds = {};     // a number follows
   std::string limit_steps = {};       // limits the steps of a walk
+  std::string turning_radius = {};    // a radius follows
+  std::string allow_reverse = {};     // the robot may drive in reverse
 };
 
 /// The start and the goals of a query, in words.
@@ -79,6 +82,13 @@ class WEND_API Explainer {
 
   /// What would open a path: "unknown cells free (--unknown free)".
   std::string change(const Way& way) const;
+
+  /// What would open a drive, each by itself: "a turning radius of at most 0.3 m (--turning-radius 0.3)". Empty if
+  /// nothing that was tried does.
+  std::vector<std::string> changes(const NoDrive& why) const;
+
+  /// Why there is no drive, and what would open one, in one or more sentences. The reason is in cells.
+  std::string explain(const NoDrive& why) const;
 
   /// How wide a path is and where it is narrowest: "with a radius of up to 0.3 m, narrowest at ...".
   std::string width(const WidestPath& widest) const;

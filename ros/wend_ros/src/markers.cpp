@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/segment.hpp"
 #include "wend/path/outline_poses.hpp"
 #include "wend/path/polyline.hpp"
 #include "wend/robot/placed_polygon.hpp"
@@ -122,6 +123,19 @@ double outline_width(const wend::Footprint& footprint) {
   return std::clamp(kShare * footprint.circumscribed_radius(), 0.02, 0.1);
 }
 
+/// The poses between the ends of a path at which the robot changes between ahead and reverse.
+std::vector<wend::Pose> gear_changes(const wend::Path& path) {
+  std::vector<wend::Pose> changes;
+  double before = 0;  // the length of the last segment that is not a turn in place
+  const auto poses = path.driven_poses();
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const double length = wend::segment_between(poses[i - 1], poses[i]).length;
+    if (length * before < 0) changes.push_back(poses[i - 1]);
+    if (length != 0) before = length;
+  }
+  return changes;
+}
+
 Marker footprint_marker(const ShownPath& shown, const wend::Footprint& footprint) {
   Marker marker = marker_of(shown.frame_id, "footprint", Marker::LINE_LIST, kBlue);
   marker.scale.x = outline_width(footprint);
@@ -129,6 +143,8 @@ Marker footprint_marker(const ShownPath& shown, const wend::Footprint& footprint
   if (!shown.path.empty() && !footprint.is_point()) {
     poses =
         wend::outline_poses(shown.path, footprint.circumscribed_radius() / shown.frame.resolution);
+    const auto changes = gear_changes(shown.path);
+    poses.insert(poses.end() - 1, changes.begin(), changes.end());
   }
   for (std::size_t at = 0; at < poses.size(); ++at) {
     const wend::MapPose pose = shown.frame.to_metres(poses[at]);

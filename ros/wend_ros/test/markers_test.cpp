@@ -68,6 +68,15 @@ TEST(PathMarkers, ShowAPolygonAsItFacesOnPathsOfPoses) {
   expect_box(turning, 1, {1, 1}, true);
 }
 
+TEST(PathMarkers, ShowAPolygonWhereItChangesGear) {
+  const auto shunting = wend::Path::through({{2, 2, 0}, {3, 2, 0}, {4, 2, 0}, {3, 2, 0}});
+  const Marker marker = footprint_of(shown(shunting, box()));
+  ASSERT_EQ(marker.points.size(), 3 * kOfABox);
+  expect_box(marker, 0, {1, 1}, false);
+  expect_box(marker, 1, {2, 1}, false);
+  expect_box(marker, 2, {1.5, 1}, false);
+}
+
 TEST(PathMarkers, PointTheWayTheRobotFacesAtItsEnds) {
   const auto array =
       shown(wend::Path::through({{0, 0, 0}, {-4, 0, 0}, {-4, 0, wend::kPi / 2}}), box());

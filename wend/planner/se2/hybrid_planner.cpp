@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "wend/base/parse.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/lattice/query_ends.hpp"
+#include "wend/planner/se2/hybrid_reasons.hpp"
 #include "wend/robot/nearest_passable.hpp"
 
 namespace wend {
@@ -41,13 +41,6 @@ HybridResolution resolution_for(const FreeSpace& space, const Steering& steering
   resolution.trace_spacing = 5 * resolution.step;
   resolution.weight = options.weight;
   return resolution;
-}
-
-/// "(2.5,3.5,90deg)", in grid coordinates
-std::string text_of(const Pose& pose) {
-  const double degrees = std::round(degrees_from(normalized_angle(pose.heading)) * 100) / 100;
-  return '(' + format_number(pose.x) + ',' + format_number(pose.y) + ',' + format_number(degrees) +
-         "deg)";
 }
 
 constexpr double kLongestTurn = kPi / 2;  // of a motion between two poses of a path
@@ -201,23 +194,37 @@ std::uint64_t HybridPlanner::do_state_count() const {
   return free_space().possible().count() * static_cast<std::uint64_t>(options_.headings);
 }
 
+/// What the last run has learned, if it was of this query.
+WhyNoDrive HybridPlanner::why_no_drive(const Query& query) const {
+  const auto place = place_for(query.goals.front());
+  const Cell start = cell_at(query.start.point());
+  if (place && !ground_->connected(start, cell_at(place->pose.point()))) return WhyNoDrive::parted;
+  if (!search_ || goals_.empty()) return WhyNoDrive::not_found;
+  if (search_->goal_is_boxed_in()) return WhyNoDrive::goal_boxed_in;
+  constexpr std::uint64_t kFew = 2000;  // poses of all searches: the first turns of each
+  return search_->metrics().expanded <= kFew ? WhyNoDrive::start_boxed_in : WhyNoDrive::not_found;
+}
+
 std::string HybridPlanner::do_reason(const Query& query, Status status) const {
-  const auto blocked = [&](const std::string& name, const Pose& pose) {
-    const auto reason = free_space().why_blocked(pose);
-    return "the robot does not fit at the " + name + " " + text_of(pose) +
-           (reason ? ": " + std::string(describe(*reason)) : "");
-  };
-  if (status == Status::unsupported_query && !query.goals.empty()) {
-    return "the headings of the start and the goal must be finite numbers";
+  if (status != Status::start_blocked && query.goals.empty()) return {};
+  switch (status) {
+    case Status::unsupported_query:
+      return reason_of_headings(query);
+    case Status::start_outside:
+      return reason_of_outside_start(free_space(), query);
+    case Status::goal_outside:
+      return reason_of_outside_goal(free_space(), query);
+    case Status::start_blocked:
+      return reason_of_blocked_start(free_space(), query);
+    case Status::goal_blocked:
+      return reason_of_blocked_goal(free_space(), query);
+    case Status::unreachable:
+      return reason_of_no_drive(
+          why_no_drive(query), free_space(), query,
+          finest_resolution(resolution_for(free_space(), steering_, options_)));
+    default:
+      return {};
   }
-  if (status == Status::start_blocked) return blocked("start", query.start);
-  if (query.goals.empty()) return {};
-  const Goal& goal = query.goals.front();
-  const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
-  if (status == Status::goal_blocked) return blocked("goal", pose);
-  if (status != Status::unreachable) return {};
-  return "no drive leads from the start " + text_of(query.start) + " to the goal " + text_of(pose) +
-         ", in cells";
 }
 
 }  // namespace wend

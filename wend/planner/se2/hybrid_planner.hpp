@@ -12,6 +12,7 @@
 #include "wend/planner/se2/hybrid_goal.hpp"
 #include "wend/planner/se2/hybrid_ground.hpp"
 #include "wend/planner/se2/hybrid_portfolio.hpp"
+#include "wend/planner/se2/hybrid_reasons.hpp"
 
 namespace wend {
 
@@ -35,6 +36,7 @@ class HybridPlanner final : public Planner {
   std::optional<Error> do_update(const SpaceChange& change) override;
   void do_release() override;
 
+  WhyNoDrive why_no_drive(const Query& query) const;
   std::optional<Status> take_goal(const Query& query, std::size_t index);
   std::optional<HybridGoal> place_for(const Goal& goal) const;
   std::optional<double> heading_at(Point point, const Goal& goal) const;

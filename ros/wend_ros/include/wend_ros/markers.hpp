@@ -28,8 +28,8 @@ struct ShownPath {
 };
 
 /// The path as a line, its start and goal as arrows, and the outline of the robot at both, in their colours,
-/// and along the path, with a chevron to its front (none of a point; see wend::outline_poses). For an empty path: what deletes
-/// them.
+/// along the path and where it changes between ahead and reverse, with a chevron to its front (none of a point; see
+/// wend::outline_poses). For an empty path: what deletes them.
 visualization_msgs::MarkerArray path_markers(const ShownPath& shown,
                                              const wend::Footprint& footprint);
 

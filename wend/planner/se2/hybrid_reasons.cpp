@@ -1,0 +1,186 @@
+#include "wend/planner/se2/hybrid_reasons.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "wend/base/parse.hpp"
+#include "wend/geometry/angle.hpp"
+#include "wend/robot/contact.hpp"
+
+namespace wend {
+namespace {
+
+std::string rounded(double value) { return format_number(std::round(value * 1e4) / 1e4); }
+
+/// "(2.5,3.5,90deg)" or "(2.5,3.5,any)", in grid coordinates
+std::string text_of(Point point, std::optional<double> heading) {
+  std::string text = '(' + rounded(point.x) + ',' + rounded(point.y) + ',';
+  if (!heading) return text + "any)";
+  const double degrees = std::round(degrees_from(normalized_angle(*heading)) * 100) / 100;
+  return text + format_number(degrees) + "deg)";
+}
+
+std::string start_of(const Query& query) {
+  return "the start " + text_of(query.start.point(), query.start.heading);
+}
+
+std::string goal_of(const Goal& goal) { return "the goal " + text_of(goal.point, goal.heading); }
+
+std::string goals_of(const Query& query) {
+  const std::size_t count = query.goals.size();
+  return count == 1 ? goal_of(query.goals.front())
+                    : "any of the " + std::to_string(count) + " goals";
+}
+
+/// "0.25 m" or "2.5 cells"
+std::string length_text(const FreeSpace& space, double cells) {
+  const Frame& frame = space.map().frame();
+  return frame.metric ? rounded(cells * frame.resolution) + " m"
+                      : rounded(cells) + (cells == 1 ? " cell" : " cells");
+}
+
+/// "6 x 3 cells": the box around an outline.
+std::string size_text(const Polygon& outline) {
+  double left = 0, right = 0, front = 0, rear = 0;
+  for (const Point corner : outline.corners()) {
+    front = std::max(front, corner.x);
+    rear = std::min(rear, corner.x);
+    left = std::max(left, corner.y);
+    right = std::min(right, corner.y);
+  }
+  return rounded(front - rear) + " x " + rounded(left - right) + " cells";
+}
+
+double longest_distance(const Polygon& outline) {
+  double most = 0;
+  for (const Point a : outline.corners()) most = std::max(most, farthest_distance(outline, a));
+  return most;
+}
+
+/// Is the robot larger than the map, wherever it stands?
+bool is_too_large(const FreeSpace& space) {
+  if (space.outside() == OutsidePolicy::free) return false;
+  const double narrow = std::min(space.width(), space.height());
+  if (2 * space.inscribed_radius_in_cells() > narrow) return true;
+  return space.outline() != nullptr &&
+         longest_distance(*space.outline()) > std::hypot(space.width(), space.height());
+}
+
+std::string too_large(const FreeSpace& space) {
+  const std::string robot =
+      space.outline() != nullptr
+          ? "the robot's footprint, " + size_text(*space.outline()) + ','
+          : "the robot, a disc with a radius of " + rounded(space.radius_in_cells()) + " cells,";
+  return robot + " is larger than the map, " + std::to_string(space.width()) + " x " +
+         std::to_string(space.height()) + " cells";
+}
+
+std::string distance_to_nearest(const FreeSpace& space, Cell cell, std::string_view what,
+                                double radius) {
+  return std::string(what) + " is " + rounded(space.clearance(cell)) +
+         " cells from the middle of cell (" + std::to_string(cell.x) + ',' +
+         std::to_string(cell.y) + "), the robot's radius is " + rounded(radius);
+}
+
+std::string why_blocked(const FreeSpace& space, const Pose& pose) {
+  const auto reason = space.why_blocked(pose);
+  if (!reason) return {};
+  const Cell cell = cell_at(pose.point());
+  if (*reason == BlockReason::overlaps || *reason == BlockReason::leaves) {
+    if (const auto contact = contact_at(space, pose)) return ": " + describe(*contact, space);
+  }
+  const double radius = space.radius_in_cells();
+  switch (*reason) {
+    case BlockReason::obstacle:
+      return ": its base point lies in an obstacle cell";
+    case BlockReason::unknown:
+      return ": its base point lies in an unknown cell";
+    case BlockReason::too_close:
+      return ": " + distance_to_nearest(space, cell, "the nearest obstacle", radius);
+    case BlockReason::over_edge:
+      return ": " + distance_to_nearest(space, cell, "the map's edge", radius);
+    default:
+      return ": " + std::string(describe(*reason));
+  }
+}
+
+std::string does_not_fit(const FreeSpace& space, const std::string& place, const Pose& pose) {
+  if (is_too_large(space)) return too_large(space);
+  return "the robot does not fit at " + place + why_blocked(space, pose);
+}
+
+std::string outside_of(const FreeSpace& space) {
+  return " is outside the map, which covers x from 0 to " + std::to_string(space.width()) +
+         " and y from 0 to " + std::to_string(space.height());
+}
+
+std::string resolution_text(const FreeSpace& space, const HybridResolution& finest) {
+  return "boxes of " + length_text(space, finest.position) + ", " +
+         std::to_string(finest.headings) + " headings, motions of " +
+         length_text(space, finest.step);
+}
+
+}  // namespace
+
+std::string reason_of_headings(const Query& query) {
+  const bool of_start = !std::isfinite(query.start.heading);
+  return "the heading of the " + std::string(of_start ? "start" : "goal") +
+         " is not a finite number of radians";
+}
+
+std::string reason_of_outside_start(const FreeSpace& space, const Query& query) {
+  return start_of(query) + outside_of(space);
+}
+
+std::string reason_of_outside_goal(const FreeSpace& space, const Query& query) {
+  return goal_of(query.goals.front()) + outside_of(space);
+}
+
+std::string reason_of_blocked_start(const FreeSpace& space, const Query& query) {
+  return does_not_fit(space, start_of(query), query.start);
+}
+
+std::string reason_of_blocked_goal(const FreeSpace& space, const Query& query) {
+  const Goal& goal = query.goals.front();
+  const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
+  if (goal.heading || space.outline() == nullptr) return does_not_fit(space, goal_of(goal), pose);
+  if (is_too_large(space)) return too_large(space);
+  return "the robot fits at " + goal_of(goal) + " with no heading that was tried; with 0deg" +
+         why_blocked(space, pose).substr(1);
+}
+
+HybridResolution finest_resolution(HybridResolution first) {
+  first.position /= 2;
+  first.headings *= 2;
+  first.step /= 2;
+  return first;
+}
+
+std::string reason_of_no_drive(WhyNoDrive why, const FreeSpace& space, const Query& query,
+                               const HybridResolution& finest) {
+  const std::string start = start_of(query);
+  const std::string goal = goals_of(query);
+  const std::string at_finest = "at the finest resolution (" + resolution_text(space, finest) + ")";
+  switch (why) {
+    case WhyNoDrive::parted:
+      return "no way leads from " + start + " to " + goal +
+             (space.is_point()
+                  ? std::string(": obstacles part them")
+                  : ", not even for the largest disc within the robot, with a radius of " +
+                        length_text(space, space.inscribed_radius_in_cells()) +
+                        ": obstacles part them");
+    case WhyNoDrive::goal_boxed_in:
+      return (query.goals.size() == 1
+                  ? goal
+                  : "each of the " + std::to_string(query.goals.size()) + " goals") +
+             " is boxed in: no drive reaches it from farther away " + at_finest;
+    case WhyNoDrive::start_boxed_in:
+      return start + " is boxed in: the robot cannot get away from it " + at_finest;
+    case WhyNoDrive::not_found:
+      return "no drive leads from " + start + " to " + goal + ' ' + at_finest;
+  }
+  return {};
+}
+
+}  // namespace wend

@@ -1,0 +1,183 @@
+// Why hybrid_astar finds no drive, sentence by sentence.
+
+#include "wend/planner/se2/hybrid_reasons.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "tests/testing/drawn_map.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend {
+namespace {
+
+FreeSpace space_for(std::string_view drawing, std::string_view footprint) {
+  return test::drawn_space(
+      drawing, {.footprint = *parse_footprint(footprint), .outside = OutsidePolicy::blocked});
+}
+
+/// "goal_blocked: the robot ..."; "found" for a query with a path.
+std::string answer(const FreeSpace& space, const Query& query, const OptionValues& options = {}) {
+  const auto planner = make_planner("hybrid_astar", space, options);
+  if (!planner) return planner.error().message;
+  const auto plan = (*planner)->plan(query);
+  if (plan) return "found";
+  const Status status = plan.error().status;
+  return std::string(to_string(status)) + ": " + (*planner)->reason(query, status);
+}
+
+Query between(Pose start, Pose goal) { return {start, {Goal(goal)}}; }
+
+const OptionValues kTight{{"turning_radius", "2"}};
+constexpr std::string_view kBox = "1.4,0.9; 1.4,-0.9; -1.4,-0.9; -1.4,0.9";
+
+constexpr std::string_view kYard =
+    "..............\n"
+    "..............\n"
+    "..............\n"
+    "......#.......\n"
+    "..............\n"
+    "..............\n"
+    "..............\n";
+
+TEST(HybridReasons, NameTheCornerThatTouches) {
+  const FreeSpace yard = space_for(kYard, kBox);
+  EXPECT_EQ(answer(yard, between({5, 2.5, 0}, {12, 2, 0}), kTight),
+            "start_blocked: the robot does not fit at the start (5,2.5,0deg): its front right "
+            "corner lies in the obstacle cell (6,3)");
+  EXPECT_EQ(answer(yard, between({2, 2.5, 0}, {13, 2, 0}), kTight),
+            "goal_blocked: the robot does not fit at the goal (13,2,0deg): its front right corner "
+            "reaches over the map's edge");
+  EXPECT_EQ(answer(yard, between({2, 2.5, 0}, {6.5, 3.5, kPi / 2}), kTight),
+            "goal_blocked: the robot does not fit at the goal (6.5,3.5,90deg): its base point "
+            "lies in an obstacle cell");
+}
+
+TEST(HybridReasons, NameTheDistanceThatADiscLacks) {
+  const FreeSpace yard = space_for(kYard, "disc:1.5");
+  EXPECT_EQ(answer(yard, between({5.5, 3.5, 0}, {12, 3, 0}), kTight),
+            "start_blocked: the robot does not fit at the start (5.5,3.5,0deg): the nearest "
+            "obstacle is 0.5 cells from the middle of cell (5,3), the robot's radius is 1.5");
+}
+
+TEST(HybridReasons, SayWhatIsKnownOfAGoalWithAnyHeading) {
+  const FreeSpace yard = space_for(kYard, kBox);
+  const Query query{{2, 2.5, 0}, {Goal(Point{6.5, 3.5})}};
+  EXPECT_EQ(answer(yard, query, kTight),
+            "goal_blocked: the robot fits at the goal (6.5,3.5,any) with no heading that was "
+            "tried; with 0deg its base point lies in an obstacle cell");
+}
+
+TEST(HybridReasons, CompareARobotThatIsLargerThanTheMapWithIt) {
+  const FreeSpace lorry = space_for(kYard, "12,3; 12,-3; -12,-3; -12,3");
+  EXPECT_EQ(answer(lorry, between({7, 3.5, 0}, {8, 3.5, 0}), kTight),
+            "start_blocked: the robot's footprint, 24 x 6 cells, is larger than the map, 14 x 7 "
+            "cells");
+  const FreeSpace disc = space_for(kYard, "disc:4");
+  EXPECT_EQ(answer(disc, between({3, 3.5, 0}, {8, 3.5, 0}), kTight),
+            "start_blocked: the robot, a disc with a radius of 4 cells, is larger than the map, "
+            "14 x 7 cells");
+}
+
+TEST(HybridReasons, RefuseHeadingsThatAreNotNumbers) {
+  const FreeSpace yard = space_for(kYard, kBox);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(answer(yard, between({3, 3, nan}, {12, 3, 0}), kTight),
+            "unsupported_query: the heading of the start is not a finite number of radians");
+  EXPECT_EQ(answer(yard, between({3, 3, 0}, {12, 3, nan}), kTight),
+            "unsupported_query: the heading of the goal is not a finite number of radians");
+}
+
+TEST(HybridReasons, RefuseACarWithoutATurningRadius) {
+  const FreeSpace yard = space_for(kYard, kBox);
+  const auto planner = make_planner("hybrid_astar", yard, {{"turning_radius", "0"}});
+  ASSERT_FALSE(planner);
+  EXPECT_EQ(planner.error().message,
+            "a car needs a turning_radius greater than 0; a robot that turns in place has "
+            "motion_model=differential");
+  EXPECT_EQ(planner.error().where, "turning_radius");
+  EXPECT_TRUE(make_planner("hybrid_astar", yard,
+                           {{"turning_radius", "0"}, {"motion_model", "differential"}}));
+}
+
+TEST(HybridReasons, SayWhatThePartsOfTheMapCover) {
+  const FreeSpace yard = space_for(kYard, kBox);
+  EXPECT_EQ(answer(yard, between({3, 3, 0}, {30, 3, 0}), kTight),
+            "goal_outside: the goal (30,3,0deg) is outside the map, which covers x from 0 to 14 "
+            "and y from 0 to 7");
+  EXPECT_EQ(answer(yard, between({-3, 3, 0}, {3, 3, 0}), kTight),
+            "start_outside: the start (-3,3,0deg) is outside the map, which covers x from 0 to 14 "
+            "and y from 0 to 7");
+}
+
+TEST(HybridReasons, TellPlacesThatNoDiscJoins) {
+  const FreeSpace parted = space_for(
+      "......#......\n"
+      "......#......\n"
+      "......#......\n"
+      ".............\n"
+      "......#......\n"
+      "......#......\n"
+      "......#......\n",
+      "1.4,1.3; 1.4,-1.3; -1.4,-1.3; -1.4,1.3");
+  EXPECT_EQ(
+      answer(parted, between({3, 3.5, 0}, {10, 3.5, 0}), kTight),
+      "unreachable: no way leads from the start (3,3.5,0deg) to the goal (10,3.5,0deg), not "
+      "even for the largest disc within the robot, with a radius of 1.3 cells: obstacles part "
+      "them");
+}
+
+/// A room for the robot beside a wide one. The wall between them has a gap that is wide enough for its disc, but the
+/// room is too narrow to turn into it.
+constexpr std::string_view kSlot =
+    "....................\n"
+    "....................\n"
+    "....................\n"
+    "....................\n"
+    "....................\n"
+    "....................\n"
+    "....................\n"
+    "######..############\n"
+    "####......##########\n"
+    "####......##########\n"
+    "####################\n";
+
+TEST(HybridReasons, TellAGoalThatIsBoxedIn) {
+  const FreeSpace slot = space_for(kSlot, "2.9,0.8; 2.9,-0.8; -2.9,-0.8; -2.9,0.8");
+  EXPECT_EQ(answer(slot, between({4, 3.5, 0}, {7, 9, 0}), kTight),
+            "unreachable: the goal (7,9,0deg) is boxed in: no drive reaches it from farther away "
+            "at the finest resolution (boxes of 0.25 cells, 72 headings, motions of 0.5 cells)");
+}
+
+TEST(HybridReasons, TellAStartThatIsBoxedIn) {
+  const FreeSpace slot = space_for(kSlot, "2.9,0.8; 2.9,-0.8; -2.9,-0.8; -2.9,0.8");
+  EXPECT_EQ(answer(slot, between({7, 9, 0}, {4, 3.5, 0}), kTight),
+            "unreachable: the start (7,9,0deg) is boxed in: the robot cannot get away from it at "
+            "the finest resolution (boxes of 0.25 cells, 72 headings, motions of 0.5 cells)");
+}
+
+/// Two rooms in which the robot drives about. The gap is wide enough for a disc, but not for the robot.
+TEST(HybridReasons, NameTheResolutionAtWhichNothingWasFound) {
+  std::string drawing;
+  for (int row = 0; row < 15; ++row) {
+    const bool gap = row == 3 || row == 4;
+    drawing += std::string(15, '.') + (gap ? '.' : '#') + std::string(15, '.') + '\n';
+  }
+  const FreeSpace rooms = space_for(drawing, "1.4,1.1; 1.4,-1.1; -1.4,-1.1; -1.4,1.1");
+  EXPECT_EQ(answer(rooms, between({4, 4, 0}, {27, 4, 0}), kTight),
+            "unreachable: no drive leads from the start (4,4,0deg) to the goal (27,4,0deg) at the "
+            "finest resolution (boxes of 0.25 cells, 72 headings, motions of 0.5 cells)");
+}
+
+TEST(HybridReasons, CountSeveralGoals) {
+  const FreeSpace slot = space_for(kSlot, "2.9,0.8; 2.9,-0.8; -2.9,-0.8; -2.9,0.8");
+  const Query query{{4, 3.5, 0}, {Goal(Pose{7, 9, 0}), Goal(Pose{7, 9, kPi})}};
+  EXPECT_EQ(answer(slot, query, kTight),
+            "unreachable: each of the 2 goals is boxed in: no drive reaches it from farther away "
+            "at the finest resolution (boxes of 0.25 cells, 72 headings, motions of 0.5 cells)");
+}
+
+}  // namespace
+}  // namespace wend
