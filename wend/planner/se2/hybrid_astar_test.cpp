@@ -140,7 +140,7 @@ TEST(HybridAStarFailures, AreToldApart) {
   ASSERT_FALSE(wall);
   EXPECT_EQ(wall.error().status, Status::unreachable);
   EXPECT_EQ(wall.error().metrics.expanded, 0U);
-  EXPECT_THAT(wall.error().message, HasSubstr("no drive leads from the start"));
+  EXPECT_THAT(wall.error().message, HasSubstr("obstacles part them"));
   EXPECT_EQ(planner->plan({{9.5, 1.5, 0}, {Goal(Pose{1.5, 1.5, 0})}}).error().status,
             Status::start_blocked);
   EXPECT_EQ(planner->plan({{1.5, 1.5, 0}, {Goal(Pose{40.5, 1.5, 0})}}).error().status,

@@ -105,7 +105,7 @@ SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal
       if (outcome != SearchOutcome::exhausted) return outcome;
       member.exhausted = true;
     }
-    boxed_in_ = flood(flooded);
+    boxed_in_ = !members_[fine].exhausted && flood(flooded);
     if (boxed_in_ || members_[fine].exhausted) {
       const Kind last = boxed_in_ && one_pose ? finest_backward : finest;
       const SearchOutcome outcome = run_member(last, kMostFinest, limits, end);
