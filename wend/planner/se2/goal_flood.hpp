@@ -29,6 +29,9 @@ class GoalFlood {
   /// Expands at most `most` poses. True if no pose is left.
   bool run(std::uint64_t most);
 
+  /// The number of poses that were reached.
+  std::size_t size() const { return poses_.size(); }
+
  private:
   void add(const Pose& pose);
 

@@ -9,6 +9,7 @@ namespace {
 constexpr std::uint64_t kFirstTurn = 400;  // expansions
 constexpr std::uint64_t kGrowth = 3;       // of the turns
 constexpr std::uint64_t kFirstFlood = 500;
+constexpr std::size_t kMostBoxedIn = 5'000;   // poses around a goal that is boxed in
 constexpr std::uint64_t kMostFinest = 4'000;  // expansions of the last search
 constexpr double kNarrow = 0.75;              // room beside the robot, in steps
 constexpr float kNarrowFactor = 4;
@@ -105,9 +106,10 @@ SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal
       if (outcome != SearchOutcome::exhausted) return outcome;
       member.exhausted = true;
     }
-    boxed_in_ = !members_[fine].exhausted && flood(flooded);
-    if (boxed_in_ || members_[fine].exhausted) {
-      const Kind last = boxed_in_ && one_pose ? finest_backward : finest;
+    const bool ended = !members_[fine].exhausted && flood(flooded);
+    boxed_in_ = ended && flood_->size() <= kMostBoxedIn;
+    if (ended || members_[fine].exhausted) {
+      const Kind last = ended && one_pose ? finest_backward : finest;
       const SearchOutcome outcome = run_member(last, kMostFinest, limits, end);
       if (members_[last].search->has_path()) finder_ = members_[last].search.get();
       return outcome == SearchOutcome::running ? SearchOutcome::exhausted : outcome;
