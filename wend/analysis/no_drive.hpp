@@ -4,7 +4,7 @@
 // largest robot of the same shape and the largest turning radius with which it finds one, and whether reversing helps.
 //
 // Each answer is that of a planner: the drive for the smaller robot was found, not estimated. The planner is complete
-// only at its finest resolution, and each of its searches ends at a limit, so a larger robot or radius may do as well.
+// only at its resolution, and each of its searches ends at a limit, so a larger robot or radius may do as well.
 //
 //   const auto why = wend::explain_no_drive(space, query, {.turning_radius = 12});
 //   if (why && why->turning_radius) suggest_radius(*why->turning_radius);

@@ -199,10 +199,14 @@ WhyNoDrive HybridPlanner::why_no_drive(const Query& query) const {
   const auto place = place_for(query.goals.front());
   const Cell start = cell_at(query.start.point());
   if (place && !ground_->connected(start, cell_at(place->pose.point()))) return WhyNoDrive::parted;
-  if (!search_ || goals_.empty()) return WhyNoDrive::not_found;
-  if (search_->goal_is_boxed_in()) return WhyNoDrive::goal_boxed_in;
-  constexpr std::uint64_t kFew = 2000;  // poses of all searches: the first turns of each
-  return search_->metrics().expanded <= kFew ? WhyNoDrive::start_boxed_in : WhyNoDrive::not_found;
+  if (!search_) return WhyNoDrive::none_leaves;
+  constexpr std::uint64_t kFew =
+      12'000;  // poses of all searches: their first two turns and the closer look
+  const bool few = search_->metrics().expanded <= kFew;
+  if (search_->goal_is_boxed_in()) {
+    return few ? WhyNoDrive::goal_boxed_in : WhyNoDrive::none_arrives;
+  }
+  return few ? WhyNoDrive::start_boxed_in : WhyNoDrive::none_leaves;
 }
 
 std::string HybridPlanner::do_reason(const Query& query, Status status) const {
@@ -219,9 +223,8 @@ std::string HybridPlanner::do_reason(const Query& query, Status status) const {
     case Status::goal_blocked:
       return reason_of_blocked_goal(free_space(), query);
     case Status::unreachable:
-      return reason_of_no_drive(
-          why_no_drive(query), free_space(), query,
-          finest_resolution(resolution_for(free_space(), steering_, options_)));
+      return reason_of_no_drive(why_no_drive(query), free_space(), query,
+                                resolution_for(free_space(), steering_, options_));
     default:
       return {};
   }

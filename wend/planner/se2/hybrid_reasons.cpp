@@ -115,10 +115,12 @@ std::string outside_of(const FreeSpace& space) {
          " and y from 0 to " + std::to_string(space.height());
 }
 
-std::string resolution_text(const FreeSpace& space, const HybridResolution& finest) {
-  return "boxes of " + length_text(space, finest.position) + ", " +
-         std::to_string(finest.headings) + " headings, motions of " +
-         length_text(space, finest.step);
+/// What has been searched without a drive.
+std::string searched_text(const FreeSpace& space, const HybridResolution& searched) {
+  return ", in boxes of " + length_text(space, searched.position) + ", " +
+         std::to_string(searched.headings) + " headings and motions of " +
+         length_text(space, searched.step) +
+         "; a finer search of some thousand poses found none either";
 }
 
 }  // namespace
@@ -150,7 +152,8 @@ std::string reason_of_blocked_goal(const FreeSpace& space, const Query& query) {
          why_blocked(space, pose).substr(1);
 }
 
-HybridResolution finest_resolution(HybridResolution first) {
+HybridResolution searched_resolution(WhyNoDrive why, HybridResolution first) {
+  if (why == WhyNoDrive::goal_boxed_in || why == WhyNoDrive::none_arrives) return first;
   first.position /= 2;
   first.headings *= 2;
   first.step /= 2;
@@ -158,27 +161,26 @@ HybridResolution finest_resolution(HybridResolution first) {
 }
 
 std::string reason_of_no_drive(WhyNoDrive why, const FreeSpace& space, const Query& query,
-                               const HybridResolution& finest) {
+                               const HybridResolution& first) {
   const std::string start = start_of(query);
   const std::string goal = goals_of(query);
-  const std::string at_finest = "at the finest resolution (" + resolution_text(space, finest) + ")";
+  const std::string searched = searched_text(space, searched_resolution(why, first));
   switch (why) {
     case WhyNoDrive::parted:
-      return "no way leads from " + start + " to " + goal +
-             (space.is_point()
-                  ? std::string(": obstacles part them")
-                  : ", not even for the largest disc within the robot, with a radius of " +
-                        length_text(space, space.inscribed_radius_in_cells()) +
-                        ": obstacles part them");
+      return "no drive leads from " + start + " to " + goal + ": obstacles part them" +
+             (space.is_point() ? std::string()
+                               : ", even for the largest disc within the robot, with a radius of " +
+                                     length_text(space, space.inscribed_radius_in_cells()));
     case WhyNoDrive::goal_boxed_in:
       return (query.goals.size() == 1
                   ? goal
                   : "each of the " + std::to_string(query.goals.size()) + " goals") +
-             " is boxed in: no drive reaches it from farther away " + at_finest;
+             " is boxed in: no drive reaches it from farther away" + searched;
     case WhyNoDrive::start_boxed_in:
-      return start + " is boxed in: the robot cannot get away from it " + at_finest;
-    case WhyNoDrive::not_found:
-      return "no drive leads from " + start + " to " + goal + ' ' + at_finest;
+      return start + " is boxed in: no drive leads away from it" + searched;
+    case WhyNoDrive::none_arrives:
+    case WhyNoDrive::none_leaves:
+      return "no drive leads from " + start + " to " + goal + searched;
   }
   return {};
 }

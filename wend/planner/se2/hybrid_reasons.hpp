@@ -14,9 +14,10 @@ namespace wend {
 /// How a search without a drive ended.
 enum class WhyNoDrive {
   parted,          // not even the largest disc within the robot gets from the start to the goal
-  goal_boxed_in,   // no drive comes from farther away than a few lengths of the robot
-  start_boxed_in,  // the same for drives that leave the start
-  not_found        // the searches have driven everywhere at the finest resolution
+  goal_boxed_in,   // few poses lead to the goal, and the start is none of them
+  start_boxed_in,  // the start leads to few poses, and the goal is none of them
+  none_arrives,    // many poses lead to the goal, and the start is none of them
+  none_leaves      // the start leads to many poses, and the goal is none of them
 };
 
 /// "the heading of the start is not a finite number"
@@ -30,11 +31,12 @@ std::string reason_of_outside_goal(const FreeSpace& space, const Query& query);
 std::string reason_of_blocked_start(const FreeSpace& space, const Query& query);
 std::string reason_of_blocked_goal(const FreeSpace& space, const Query& query);
 
-/// The resolution of the last search that HybridPortfolio tries, for that of its first one.
-HybridResolution finest_resolution(HybridResolution first);
+/// The resolution at which HybridPortfolio, which begins with `first`, has searched everywhere in this case: that of
+/// its flood, or of its search `fine`.
+HybridResolution searched_resolution(WhyNoDrive why, HybridResolution first);
 
 /// Why the query is unreachable.
 std::string reason_of_no_drive(WhyNoDrive why, const FreeSpace& space, const Query& query,
-                               const HybridResolution& finest);
+                               const HybridResolution& first);
 
 }  // namespace wend

@@ -122,11 +122,10 @@ TEST(HybridReasons, TellPlacesThatNoDiscJoins) {
       "......#......\n"
       "......#......\n",
       "1.4,1.3; 1.4,-1.3; -1.4,-1.3; -1.4,1.3");
-  EXPECT_EQ(
-      answer(parted, between({3, 3.5, 0}, {10, 3.5, 0}), kTight),
-      "unreachable: no way leads from the start (3,3.5,0deg) to the goal (10,3.5,0deg), not "
-      "even for the largest disc within the robot, with a radius of 1.3 cells: obstacles part "
-      "them");
+  EXPECT_EQ(answer(parted, between({3, 3.5, 0}, {10, 3.5, 0}), kTight),
+            "unreachable: no drive leads from the start (3,3.5,0deg) to the goal (10,3.5,0deg): "
+            "obstacles part "
+            "them, even for the largest disc within the robot, with a radius of 1.3 cells");
 }
 
 /// A room for the robot beside a wide one. The wall between them has a gap that is wide enough for its disc, but the
@@ -147,36 +146,47 @@ constexpr std::string_view kSlot =
 TEST(HybridReasons, TellAGoalThatIsBoxedIn) {
   const FreeSpace slot = space_for(kSlot, "2.9,0.8; 2.9,-0.8; -2.9,-0.8; -2.9,0.8");
   EXPECT_EQ(answer(slot, between({4, 3.5, 0}, {7, 9, 0}), kTight),
-            "unreachable: the goal (7,9,0deg) is boxed in: no drive reaches it from farther away "
-            "at the finest resolution (boxes of 0.25 cells, 72 headings, motions of 0.5 cells)");
+            "unreachable: the goal (7,9,0deg) is boxed in: no drive reaches it from farther away, "
+            "in boxes of 0.5 cells, 36 headings and motions of 1 cell; a finer search of some "
+            "thousand poses found none either");
 }
 
 TEST(HybridReasons, TellAStartThatIsBoxedIn) {
   const FreeSpace slot = space_for(kSlot, "2.9,0.8; 2.9,-0.8; -2.9,-0.8; -2.9,0.8");
   EXPECT_EQ(answer(slot, between({7, 9, 0}, {4, 3.5, 0}), kTight),
-            "unreachable: the start (7,9,0deg) is boxed in: the robot cannot get away from it at "
-            "the finest resolution (boxes of 0.25 cells, 72 headings, motions of 0.5 cells)");
+            "unreachable: the start (7,9,0deg) is boxed in: no drive leads away from it, "
+            "in boxes of 0.25 cells, 72 headings and motions of 0.5 cells; a finer search of some "
+            "thousand poses found none either");
 }
 
 /// Two rooms in which the robot drives about. The gap is wide enough for a disc, but not for the robot.
 TEST(HybridReasons, NameTheResolutionAtWhichNothingWasFound) {
-  std::string drawing;
-  for (int row = 0; row < 15; ++row) {
-    const bool gap = row == 3 || row == 4;
-    drawing += std::string(15, '.') + (gap ? '.' : '#') + std::string(15, '.') + '\n';
-  }
-  const FreeSpace rooms = space_for(drawing, "1.4,1.1; 1.4,-1.1; -1.4,-1.1; -1.4,1.1");
-  EXPECT_EQ(answer(rooms, between({4, 4, 0}, {27, 4, 0}), kTight),
-            "unreachable: no drive leads from the start (4,4,0deg) to the goal (27,4,0deg) at the "
-            "finest resolution (boxes of 0.25 cells, 72 headings, motions of 0.5 cells)");
+  const auto rooms = [](std::size_t left, std::size_t right) {
+    std::string drawing;
+    for (int row = 0; row < 15; ++row) {
+      const bool gap = row == 3 || row == 4;
+      drawing += std::string(left, '.') + (gap ? '.' : '#') + std::string(right, '.') + '\n';
+    }
+    return space_for(drawing, "1.4,1.1; 1.4,-1.1; -1.4,-1.1; -1.4,1.1");
+  };
+  EXPECT_EQ(answer(rooms(15, 15), between({4, 4, 0}, {27, 4, 0}), kTight),
+            "unreachable: no drive leads from the start (4,4,0deg) to the goal (27,4,0deg), "
+            "in boxes of 0.5 cells, 36 headings and motions of 1 cell; a finer search of some "
+            "thousand poses found none either");
+  // The room of the start is at its end long before that of the goal.
+  EXPECT_EQ(answer(rooms(5, 160), between({3, 4, 0}, {160, 4, 0}), kTight),
+            "unreachable: no drive leads from the start (3,4,0deg) to the goal (160,4,0deg), "
+            "in boxes of 0.25 cells, 72 headings and motions of 0.5 cells; a finer search of some "
+            "thousand poses found none either");
 }
 
 TEST(HybridReasons, CountSeveralGoals) {
   const FreeSpace slot = space_for(kSlot, "2.9,0.8; 2.9,-0.8; -2.9,-0.8; -2.9,0.8");
   const Query query{{4, 3.5, 0}, {Goal(Pose{7, 9, 0}), Goal(Pose{7, 9, kPi})}};
   EXPECT_EQ(answer(slot, query, kTight),
-            "unreachable: each of the 2 goals is boxed in: no drive reaches it from farther away "
-            "at the finest resolution (boxes of 0.25 cells, 72 headings, motions of 0.5 cells)");
+            "unreachable: each of the 2 goals is boxed in: no drive reaches it from farther away, "
+            "in boxes of 0.5 cells, 36 headings and motions of 1 cell; a finer search of some "
+            "thousand poses found none either");
 }
 
 }  // namespace
