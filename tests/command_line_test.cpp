@@ -382,7 +382,7 @@ class Examples : public testing::Test {
 TEST_F(Examples, OfTheHelpWork) {
   expect_to_work("generate office --size 160x100 --seed 7 -o office.yaml");
   for (const std::string name :
-       {"info", "plan", "field", "bench", "planners", "generate", "convert"}) {
+       {"info", "plan", "explain", "field", "bench", "planners", "generate", "convert"}) {
     const auto commands = commands_in(wend({name, "--help"}).out, "  ");
     EXPECT_GE(commands.size(), 2U) << name;
     for (const std::string& command : commands) expect_to_work(command);
