@@ -1,7 +1,8 @@
 #pragma once
 
-// GoalFlood: from how many poses can a robot drive to a goal at all? It drives the motions of a search backwards from
-// the goal, in any order, until nothing new is left: then the goal is boxed in, unless a start lies inside.
+// PoseFlood: from how many poses can a robot drive to a goal at all, or to how many from its start? It drives the motions
+// of a search from there on, in any order, until no new pose is left. Where it ends, it looks again, more closely:
+// where the robot has hardly any room, longer motions end at once.
 
 #include <cstdint>
 #include <span>
@@ -15,32 +16,42 @@
 
 namespace wend {
 
-class GoalFlood {
+class PoseFlood {
  public:
+  /// To the first poses, or away from them?
+  enum class Direction { to_goal, from_start };
+
   /// Check and steering must outlive the flood.
-  GoalFlood(const MotionCheck& check, const Steering& steering, const HybridResolution& resolution)
-      : check_(check),
-        steering_(steering),
-        step_(resolution.step),
-        seen_(resolution.position, resolution.headings) {}
+  PoseFlood(const MotionCheck& check, const Steering& steering, const HybridResolution& resolution,
+            Direction direction);
 
   void begin(std::span<const HybridGoal> goals);
+  void begin(const Pose& start);
 
-  /// Expands at most `most` poses. True if no pose is left.
+  /// Expands at most `most` poses. True once no pose is left, however closely it looks.
   bool run(std::uint64_t most);
 
-  /// The number of poses that were reached.
-  std::size_t size() const { return poses_.size(); }
+  /// Has it ended after few poses?
+  bool is_small() const { return small_; }
+  /// How closely it looks now.
+  const HybridResolution& resolution() const { return resolution_; }
 
  private:
+  void begin_at(const HybridResolution& resolution);
   void add(const Pose& pose);
+  void expand(Pose pose);
 
   const MotionCheck& check_;
   const Steering& steering_;
-  double step_;
+  HybridResolution first_;
+  Direction direction_;
+  HybridResolution resolution_;
   PoseTable seen_;
+  std::vector<Pose> origins_;
   std::vector<Pose> poses_;
   std::size_t next_ = 0;
+  bool small_ = false;
+  bool closer_ = false;
 };
 
 }  // namespace wend
