@@ -1,0 +1,32 @@
+// How the page is laid out.
+
+import { css } from 'lit';
+
+export const appStyle = css`
+  :host { display: grid; grid-template-rows: auto 1fr auto; height: 100dvh; background: var(--page); }
+  header { display: flex; align-items: center; gap: 1.5rem; padding: 0.6rem 1rem; border-bottom: 1px solid var(--line); flex-wrap: wrap; }
+  h1 { font-size: 1rem; font-weight: 650; margin: 0; }
+  main { display: grid; grid-template-columns: 1fr 20rem; min-height: 0; }
+  .views { display: grid; grid-auto-flow: column; grid-auto-columns: 1fr; min-width: 0; min-height: 0; background: var(--map); }
+  aside { overflow-y: auto; border-left: 1px solid var(--line); }
+  aside > section { padding: 0.9rem 1rem; border-bottom: 1px solid var(--line); }
+  aside > section:last-child { border: 0; }
+  footer { padding: 0.6rem 1rem; border-top: 1px solid var(--line); }
+  .live { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+  .wait { padding: 2rem; }
+  .why { margin-top: 0.6rem; color: var(--ink); }
+  .legend { list-style: none; margin: 0; padding: 0; display: flex; flex-wrap: wrap; gap: 0.3rem 0.9rem; font-size: 0.8125rem; color: var(--faint); }
+  .legend li { display: flex; align-items: center; gap: 0.4rem; }
+  .legend i { width: 0.8rem; height: 0.8rem; border-radius: 2px; }
+  .legend i.line { height: 0.25rem; }
+  .ramp { display: flex; align-items: center; gap: 0.5rem; font-size: 0.8125rem; font-variant-numeric: tabular-nums; color: var(--faint); }
+  .ramp i { flex: 1; height: 0.7rem; border-radius: 3px; background: var(--ramp); }
+  @media (max-width: 760px) {
+    :host { height: auto; min-height: 100dvh; }
+    main { grid-template-columns: 1fr; }
+    .views { height: 56dvh; }
+    aside { border-left: 0; border-top: 1px solid var(--line); overflow: visible; }
+    footer { position: sticky; bottom: 0; background: var(--page); }
+    header { gap: 0.6rem; padding: 0.5rem 0.75rem; }
+  }
+`;

@@ -1,0 +1,152 @@
+// What a visitor does, in Debian's Chromium on the built page.
+
+import type { Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
+import { openBrowser, type Opened } from './browser';
+
+let opened: Opened;
+let page: Page;
+let faults: string[];
+
+beforeAll(async () => {
+  opened = await openBrowser();
+}, 60_000);
+afterAll(async () => opened.close());
+
+beforeEach(async () => {
+  faults = [];
+  // Without motion, a search is shown from its end.
+  page = await opened.browser.newPage({ viewport: { width: 1280, height: 800 }, reducedMotion: 'reduce' });
+  page.on('pageerror', (fault) => faults.push(String(fault)));
+  page.on('requestfailed', (request) => faults.push(request.url()));
+  await page.goto(opened.address);
+  await page.getByText(/^astar: found/).waitFor({ state: 'attached' });
+});
+afterEach(async () => {
+  expect(faults).toEqual([]);
+  await page.close();
+});
+
+const live = () => page.getByRole('status').textContent();
+
+/** A value of the result, by its name. */
+async function result(name: string): Promise<string | null> {
+  return page.locator('lab-facts').first().locator(`dt:has-text("${name}") + dd`).first().textContent();
+}
+
+/** The middle of a cell on the screen, on the first map of the page. */
+async function pixelOf(x: number, y: number): Promise<{ x: number; y: number }> {
+  return page.locator('lab-map').first().evaluate((view, cell) => {
+    const { camera, store } = view as unknown as {
+      camera: { pixelOf(map: unknown, point: unknown): { x: number; y: number } };
+      store: { state: { map: unknown } };
+    };
+    const pixel = camera.pixelOf(store.state.map, { x: cell.x + 0.5, y: cell.y + 0.5 });
+    const box = view.getBoundingClientRect();
+    return { x: box.left + pixel.x, y: box.top + pixel.y };
+  }, { x, y });
+}
+
+async function drag(from: [number, number], to: [number, number]): Promise<void> {
+  const begin = await pixelOf(...from);
+  const end = await pixelOf(...to);
+  await page.mouse.move(begin.x, begin.y);
+  await page.mouse.down();
+  await page.mouse.move(end.x, end.y, { steps: 12 });
+  await page.mouse.up();
+}
+
+const slider = () => page.getByRole('slider', { name: 'Expansions' });
+
+describe('the page', () => {
+  test('opens with a finished search', async () => {
+    expect(await live()).toBe('astar: found a path of cost 89.3553, 540 expanded.');
+    expect(await slider().inputValue()).toBe('540');
+  });
+
+  test('follows the goal that is dragged, and takes it back', async () => {
+    await drag([59, 33], [5, 5]);
+    await page.getByText('astar: found a path of cost 5.6569').waitFor({ state: 'attached' });
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await page.getByText('astar: found a path of cost 89.3553').waitFor({ state: 'attached' });
+    await page.getByRole('button', { name: 'Redo' }).click();
+    await page.getByText('astar: found a path of cost 5.6569').waitFor({ state: 'attached' });
+  });
+
+  test('paints walls, and says why there is no path', async () => {
+    await page.getByLabel('Brush').fill('3');
+    await page.getByLabel('Brush').press('Enter');
+    await drag([4, 1], [4, 9]);
+    await page.getByText(/^astar: .*Obstacles separate/).waitFor({ state: 'attached' });
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await page.getByText('astar: found a path').waitFor({ state: 'attached' });
+  });
+
+  test('steps and scrubs both ways', async () => {
+    await page.getByRole('button', { name: 'One expansion back' }).click();
+    expect(await slider().inputValue()).toBe('539');
+    await slider().fill('17');
+    expect(await page.getByText('17 of 540 expanded').count()).toBe(1);
+    await page.getByRole('button', { name: 'One expansion forward' }).click();
+    expect(await slider().inputValue()).toBe('18');
+    await page.getByRole('button', { name: 'To the beginning' }).click();
+    expect(await slider().inputValue()).toBe('0');
+  });
+
+  test('plays to the end, and pauses', async () => {
+    await page.getByRole('combobox', { name: 'Speed' }).selectOption('all in 3 s');
+    await page.getByRole('button', { name: 'Play' }).click();
+    await page.getByRole('button', { name: 'Pause' }).click();
+    const paused = Number(await slider().inputValue());
+    expect(paused).toBeLessThan(540);
+    await page.keyboard.press('p');
+    await expect.poll(() => slider().inputValue(), { timeout: 8000 }).toBe('540');
+  });
+
+  test('chooses planners and options from the registry', async () => {
+    await page.getByLabel('Algorithm').selectOption('dijkstra');
+    await page.getByText(/^dijkstra: found a path of cost 89.3553/).waitFor({ state: 'attached' });
+    expect(Number((await result('Expanded'))!.replace(',', ''))).toBeGreaterThan(540);
+    await page.getByText('Options', { exact: true }).click();
+    await page.getByLabel('Connectivity').selectOption('4');
+    await page.getByText(/^dijkstra: found a path of cost 1/).waitFor({ state: 'attached' });
+  });
+
+  test('tells about the cell under the pointer, and at the cursor', async () => {
+    const cell = await pixelOf(2, 2);
+    await page.mouse.move(cell.x, cell.y);
+    await page.getByText('Cell (2, 2)').waitFor();
+    expect(await page.getByText('g, from the start').count()).toBe(1);
+    await page.locator('lab-map canvas').last().focus();
+    await page.keyboard.press('ArrowDown');
+    await page.getByText('Cell (1, 2)').waitFor();
+  });
+
+  test('is worked by keyboard alone', async () => {
+    await page.locator('lab-map canvas').last().focus();
+    for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('g');
+    await page.getByText('astar: found a path of cost 3,').waitFor({ state: 'attached' });
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press(' ');
+    await page.getByText(/^astar: found a path of cost [45]/).waitFor({ state: 'attached' });
+    await page.keyboard.press('Control+z');
+    await page.getByText('astar: found a path of cost 3,').waitFor({ state: 'attached' });
+  });
+
+  test('makes other maps', async () => {
+    await page.getByLabel('Kind').selectOption('maze');
+    await page.getByText('maze, seed 3').waitFor();
+    await page.getByRole('button', { name: 'Another' }).click();
+    await page.getByText('maze, seed 4').waitFor();
+  });
+
+  for (const colours of ['expansion', 'g:', 'h:', 'f:', 'Cost to go', 'Clearance']) {
+    test(`shows ${colours}`, async () => {
+      const menu = page.getByRole('combobox', { name: 'Show' });
+      const label = (await menu.locator('option').allTextContents()).find((text) => text.includes(colours))!;
+      await menu.selectOption(label);
+      await page.locator('.ramp').waitFor();
+    });
+  }
+});
