@@ -1,4 +1,5 @@
 import address from '../build/lab/wend.wasm?url';
+import { Engine } from './engine/engine';
 import './panels/app';
 import type { App } from './panels/app';
 import './style.css';
@@ -9,5 +10,12 @@ async function compile(): Promise<WebAssembly.Module> {
   return WebAssembly.compile(await answer.arrayBuffer());
 }
 
-const app = document.querySelector('wend-lab') as App;
-void compile().then((module) => app.begin(module));
+async function begin(): Promise<void> {
+  const module = await compile();
+  const engine = new Engine(module);
+  const registry = await engine.call('registry');
+  engine.end();
+  await (document.querySelector('wend-lab') as App).begin(module, registry, location.hash.slice(1));
+}
+
+void begin();

@@ -10,7 +10,7 @@ import type { Failure, Layer, Outcome, Range } from './types';
 const livelyMilliseconds = 25;
 
 export class Runner {
-  readonly engine: Engine;
+  engine: Engine;
   outcome: Outcome | null = null;
   failure: Failure | null = null;
   range: Range | null = null;
@@ -24,7 +24,7 @@ export class Runner {
   private wanted: { state: State; choice: Choice; dragging: boolean } | null = null;
   private lastRecording = 0;
 
-  constructor(module: WebAssembly.Module, private readonly changed: (runner: Runner) => void) {
+  constructor(private readonly module: WebAssembly.Module, private readonly changed: (runner: Runner) => void) {
     this.engine = new Engine(module);
   }
 
@@ -37,6 +37,20 @@ export class Runner {
   request(state: State, choice: Choice, dragging: boolean): void {
     this.wanted = { state, choice, dragging };
     if (!this.busy) void this.work();
+  }
+
+  /** Ends a search that takes too long. */
+  stop(): void {
+    if (!this.busy) return;
+    this.engine.end();
+    this.engine = new Engine(this.module);
+    this.map = null;
+    this.footprint = 'point';
+  }
+
+  end(): void {
+    this.wanted = null;
+    this.engine.end();
   }
 
   private async work(): Promise<void> {
@@ -63,9 +77,10 @@ export class Runner {
     const began = performance.now();
     const answer = fault ?? await this.engine.call('plan', {
       planner: specOf(choice.planner, choice.options),
+      smoother: state.smoother,
       start: state.start,
       goal: state.goal,
-      headings: false,
+      headings: state.headings,
       record,
       nearest: dragging,
       seconds: 60,

@@ -44,10 +44,20 @@ export interface GeneratorInfo {
   options: OptionInfo[];
 }
 
+export interface SmootherInfo {
+  name: string;
+  summary: string;
+  citation: string;
+  /** For paths of poses, and only these. */
+  drives: boolean;
+  options: OptionInfo[];
+}
+
 export interface Registry {
   version: string;
   planners: PlannerInfo[];
   generators: GeneratorInfo[];
+  smoothers: SmootherInfo[];
 }
 
 /** How the cells lie in the world. Row 0 of the cells is drawn last if yUp is set. */

@@ -1,10 +1,12 @@
 // <wend-lab>: the page: wires the store, the clock, the searches, the views and the panels.
 
 import { html, LitElement, nothing } from 'lit';
-import { Runner } from '../engine/runner';
-import type { Layer, Registry } from '../engine/types';
+import { Searches } from '../engine/searches';
+import type { Failure, Layer, Registry } from '../engine/types';
 import { Clock } from '../store/clock';
-import { centreOf, specOf, type Choice, type Recipe, type State } from '../store/state';
+import { readLink } from '../store/link';
+import { fromLink, fromRecipe } from '../store/maps';
+import type { Choice, Pace, Recipe, State } from '../store/state';
 import { Store, type Stroke } from '../store/store';
 import { Camera } from '../view/camera';
 import '../view/map_view';
@@ -14,10 +16,13 @@ import { appStyle } from './app_style';
 import './facts';
 import './map_panel';
 import './planner_panel';
+import './results';
+import './robot_panel';
+import { share } from './share';
 import { panelStyle } from './style';
 import './tools_panel';
 import './transport';
-import { cellInWords, duration, number, outcomeInWords } from './words';
+import { cellInWords, number, outcomeInWords } from './words';
 
 const layers: { layer: Layer; label: string }[] = [
   { layer: '', label: 'Expanded and frontier' },
@@ -30,6 +35,7 @@ const layers: { layer: Layer; label: string }[] = [
 ];
 
 const firstRecipe: Recipe = { generator: 'rooms', options: {}, width: 61, height: 35, seed: 3 };
+const mostRuns = 4;
 
 export class App extends LitElement {
   static override styles = [panelStyle, appStyle];
@@ -39,26 +45,28 @@ export class App extends LitElement {
   private readonly camera = new Camera();
   private readonly scheme = matchMedia('(prefers-color-scheme: dark)');
   private readonly calm = matchMedia('(prefers-reduced-motion: reduce)');
-  private module: WebAssembly.Module | null = null;
+  private searches!: Searches;
   private registry: Registry | null = null;
-  private runners: Runner[] = [];
   private pointed: Pointed | null = null;
   private message = '';
   private dragging = false;
   private play = false;
+  /** The step that a link asks for, once its searches are done. */
+  private step: number | null = null;
   private unfitted = true;
+  private answers = 0;
 
-  /** Begins with a compiled engine. */
-  async begin(module: WebAssembly.Module): Promise<void> {
-    this.module = module;
+  /** Begins with a compiled engine, its registry, and the text of a link. */
+  async begin(module: WebAssembly.Module, registry: Registry, link: string): Promise<void> {
+    this.registry = registry;
+    this.searches = new Searches(module, this.clock, (all) => this.answered(all));
     this.store.listen((state, before, stroke) => this.changed(state, before, stroke));
     this.clock.listen(() => this.refreshViews());
-    this.scheme.addEventListener('change', () => this.refreshAll());
+    this.scheme.addEventListener('change', () => this.requestUpdate());
     addEventListener('keydown', (event) => this.key(event));
-    this.runners = [this.newRunner()];
-    this.registry = await this.runners[0]!.engine.call('registry');
+    addEventListener('hashchange', () => this.open(location.hash.slice(1)));
     this.play = !this.calm.matches;
-    await this.make(firstRecipe, false);
+    if (link === '' || !await this.open(link)) await this.make(firstRecipe, false);
     const frame = (now: number) => {
       this.clock.tick(now);
       requestAnimationFrame(frame);
@@ -69,31 +77,33 @@ export class App extends LitElement {
   override render() {
     const { state } = this.store;
     if (!this.registry || !state.map) return html`<p class="wait">Loading the planners</p>`;
-    const colours = this.scheme.matches ? dark : light;
     return html`
       <header>
         <h1>wend lab</h1>
         <lab-tools .store=${this.store}></lab-tools>
+        <span class="space"></span>
+        <button @click=${this.share} title="A link to this map, these planners and this step">Share link</button>
       </header>
       <main>
-        <section class="views" aria-label="Map">
-          ${state.runs.map((run, i) => html`
-            <lab-map .store=${this.store} .clock=${this.clock} .runner=${this.runners[i]!} .camera=${this.camera}
-              .colours=${colours} .stepOf=${() => this.stepOf(i)}
-              label="Map with the search of ${run.planner}. Arrow keys move the cursor, space paints, S and G set start and goal."
-              @camera=${() => this.refreshViews()} @resized=${() => this.fit()}
-              @drag=${(event: CustomEvent<boolean>) => this.drag(event.detail)}
-              @pointed=${(event: CustomEvent<Pointed | null>) => this.point(event.detail)}></lab-map>`)}
+        <section class="views" data-count=${state.runs.length} aria-label="Maps">
+          ${state.runs.map((run, i) => this.view(run, i))}
         </section>
         <aside aria-label="Settings">
-          ${this.planners(state)}
-          <section><h2>Result</h2><lab-facts .lines=${this.results()}></lab-facts>${this.why()}</section>
+          ${state.runs.map((run, i) => this.planner(state, run, i))}
+          ${this.more(state)}
+          <section><h2>Result</h2>
+            <lab-results .runners=${this.searches.runners} .runs=${state.runs} version=${this.answers}></lab-results>
+            ${this.searches.busy ? html`<button @click=${() => this.searches.stop()}>Stop the search</button>` : nothing}
+          </section>
+          <section><h2>Under the pointer</h2>${this.cellFacts()}</section>
           <section><h2>Colours</h2>${this.layers(state)}</section>
+          <section><h2>Robot and path</h2>
+            <lab-robot .store=${this.store} .registry=${this.registry} .state=${state}></lab-robot></section>
           <section><h2>Map</h2>
-            <lab-map-panel .registry=${this.registry} .recipe=${state.map.recipe ?? firstRecipe} name=${state.map.name}
+            <lab-map-panel .registry=${this.registry} .recipe=${state.map.recipe ?? firstRecipe}
+              name="${state.map.name}, ${state.map.width} × ${state.map.height} cells"
               @make=${(event: CustomEvent<Recipe>) => this.make(event.detail)}></lab-map-panel>
           </section>
-          <section class="cell"><h2>Under the pointer</h2>${this.cellFacts()}</section>
         </aside>
       </main>
       <footer><lab-transport .clock=${this.clock}></lab-transport></footer>
@@ -105,12 +115,43 @@ export class App extends LitElement {
     this.refreshViews();
   }
 
-  private planners(state: State) {
-    return state.runs.map((run, i) => html`
-      <section><h2>Planner</h2>
-        <lab-planner .registry=${this.registry} .choice=${run} heading="Algorithm"
-          @choose=${(event: CustomEvent<Choice>) => this.choose(i, event.detail)}></lab-planner>
-      </section>`);
+  private view(run: Choice, i: number) {
+    const colours = this.scheme.matches ? dark : light;
+    const many = this.store.state.runs.length > 1;
+    const { failure, outcome } = this.searches.runners[i]!;
+    const reason = failure?.error ?? outcome?.message;
+    return html`<figure>
+      ${many ? html`<figcaption>${run.planner}</figcaption>` : nothing}
+      ${reason ? html`<p class="reason">${reason}.</p>` : nothing}
+      <lab-map .store=${this.store} .clock=${this.clock} .runner=${this.searches.runners[i]!} .camera=${this.camera}
+        .headings=${this.registry!.planners.some(({ name, headings }) => name === run.planner && headings)}
+        .colours=${colours} .stepOf=${() => this.searches.stepOf(i, this.store.state)}
+        label="Map with the search of ${run.planner}. Arrow keys move the cursor, space paints, S and G set start and goal."
+        @camera=${() => this.refreshViews()} @resized=${() => this.fit()}
+        @drag=${(event: CustomEvent<boolean>) => this.drag(event.detail)}
+        @pointed=${(event: CustomEvent<Pointed | null>) => this.point(event.detail)}></lab-map></figure>`;
+  }
+
+  private planner(state: State, run: Choice, i: number) {
+    const many = state.runs.length > 1;
+    return html`<section><h2>${many ? `Planner ${i + 1}` : 'Planner'}</h2>
+      <lab-planner .registry=${this.registry} .choice=${run} heading="Algorithm"
+        @choose=${(event: CustomEvent<Choice>) => this.choose(i, event.detail)}></lab-planner>
+      ${many ? html`<button class="quiet" @click=${() => this.store.commit({ runs: state.runs.filter((_, k) => k !== i) })}>
+        Remove ${run.planner}</button>` : nothing}
+    </section>`;
+  }
+
+  private more(state: State) {
+    const { runs, pace } = state;
+    return html`<section class="stack">
+      ${runs.length < mostRuns ? html`<button @click=${this.add}>Compare with another planner</button>` : nothing}
+      ${runs.length > 1 ? html`<label>One clock counts
+        <select @change=${(event: Event) => this.store.set({ pace: (event.target as HTMLSelectElement).value as Pace })}>
+          <option value="expansions" ?selected=${pace === 'expansions'}>Expansions</option>
+          <option value="time" ?selected=${pace === 'time'}>Time</option>
+        </select></label>` : nothing}
+    </section>`;
   }
 
   private layers(state: State) {
@@ -127,7 +168,7 @@ export class App extends LitElement {
   }
 
   private legend(state: State) {
-    const range = this.runners[0]?.range;
+    const range = this.searches.runners[0]?.range;
     if (state.layer === '' || !range) {
       return html`<ul class="legend">
         <li><i style="background:var(--expanded)"></i>expanded</li>
@@ -138,85 +179,72 @@ export class App extends LitElement {
     return html`<div class="ramp"><span>${number(range.least, 1)}</span><i></i><span>${number(range.greatest, 1)}</span></div>`;
   }
 
-  private results(): [string, string][] {
-    const outcome = this.runners[0]?.outcome;
-    if (!outcome) return [];
-    const bound = outcome.bound;
-    const lines: [string, string][] = [];
-    if (outcome.status === 'found') {
-      lines.push(['Cost', number(outcome.cost!, 4)]);
-      lines.push(['Guarantee', bound === 1 ? 'no path is cheaper' : typeof bound === 'number' ? `at most ${number(bound)} times the best` : 'none']);
-    }
-    return [...lines,
-      ['Expanded', number(outcome.expanded)], ['Reached', number(outcome.generated)],
-      ['Largest frontier', number(outcome.maxFrontier)], ['Time', duration(outcome.seconds)]];
-  }
-
-  private why() {
-    const runner = this.runners[0];
-    const text = runner?.failure?.error ?? runner?.outcome?.message;
-    return text ? html`<p class="why">${text}.</p>` : nothing;
-  }
-
   private cellFacts() {
     if (!this.pointed) return html`<p>Point at a cell, or move to the map with Tab and use the arrow keys.</p>`;
     const { cell, info } = this.pointed;
-    return html`<lab-facts .lines=${cellInWords(cell, info, this.clock.step)}></lab-facts>`;
+    return html`<lab-facts .lines=${cellInWords(cell, info, this.pointedStep())}></lab-facts>`;
   }
 
-  private newRunner(): Runner {
-    return new Runner(this.module!, (runner) => this.answered(runner));
+  private pointedStep(): number {
+    const index = this.searches.runners.findIndex((runner) => runner === this.pointed?.runner);
+    return this.searches.stepOf(index, this.store.state);
   }
 
   private async make(recipe: Recipe, undoable = true): Promise<void> {
-    const generator = this.registry!.generators.find(({ name }) => name === recipe.generator)!;
-    const maker = this.newRunner();
-    const info = await maker.engine.call('generate', specOf(recipe.generator, recipe.options), recipe.width, recipe.height, recipe.seed);
-    if ('error' in info) {
-      maker.engine.end();
-      return this.say(`${info.error}.`);
+    this.take(await fromRecipe(recipe, this.registry!, (each) => this.searches.make(each)), undoable);
+  }
+
+  /** Opens a link; says why if it cannot, and leaves all as it is. */
+  private async open(link: string): Promise<boolean> {
+    const linked = readLink(link, this.registry!);
+    if (typeof linked === 'string') {
+      this.say(`${linked}.`);
+      return false;
     }
-    const cells = await maker.engine.call('cells');
-    maker.engine.end();
-    const corner = generator.freeCorner;
-    const change: Partial<State> = {
-      map: {
-        name: `${recipe.generator}, seed ${recipe.seed}, ${info.width} × ${info.height} cells`,
-        width: info.width, height: info.height, frame: info, cells, version: 0, recipe, original: cells.slice(),
-      },
-      start: centreOf(corner, corner),
-      goal: centreOf(info.width - 1 - corner, info.height - 1 - corner),
-    };
+    const change = await fromLink(linked, (each) => this.searches.make(each));
+    this.step = 'error' in change ? null : linked.step;
+    return this.take(change, this.store.state.map !== null);
+  }
+
+  /** A new map, unless there is none, for a reason. */
+  private take(change: Partial<State> | Failure, undoable: boolean): boolean {
+    if ('error' in change) {
+      this.say(`${change.error}.`);
+      return false;
+    }
     this.unfitted = true;
     if (undoable) this.store.commit(change);
     else this.store.set(change);
+    return true;
   }
 
   private changed(state: State, before: State, stroke?: Stroke): void {
-    if (stroke) for (const runner of this.runners) runner.edit(stroke);
-    const again = state.map !== before.map || state.start !== before.start || state.goal !== before.goal ||
-      state.runs !== before.runs || state.footprint !== before.footprint;
-    if (again) this.plan(stroke !== undefined);
+    this.searches.update(state, before, stroke, this.dragging || stroke !== undefined);
     this.requestUpdate();
   }
 
-  private plan(lively = false): void {
-    const { state } = this.store;
-    state.runs.forEach((run, i) => this.runners[i]!.request(state, run, this.dragging || lively));
-  }
-
-  private answered(runner: Runner): void {
-    if (!runner.busy) {
-      const longest = Math.max(...this.runners.map(({ outcome }) => outcome?.steps ?? 0));
-      if (!this.dragging || longest > 0) this.clock.restart(longest, this.play);
+  private answered(all: boolean): void {
+    ++this.answers;
+    if (all) {
+      const { longest } = this.searches;
+      if (!this.dragging || longest > 0) this.clock.restart(longest, this.play && this.step === null);
+      if (this.step !== null) this.clock.seek(this.step);
+      this.step = null;
       this.play = false;
-      this.say(outcomeInWords(this.store.state.runs[0]!.planner, runner.outcome, runner.failure));
+      this.say(this.store.state.runs.map(({ planner }, i) => {
+        const runner = this.searches.runners[i]!;
+        return outcomeInWords(planner, runner.outcome, runner.failure);
+      }).join(' '));
     }
     this.requestUpdate();
   }
 
-  private stepOf(_: number): number {
-    return this.clock.step;
+  private add(): void {
+    const { runs } = this.store.state;
+    const used = new Set(runs.map(({ planner }) => planner));
+    const next = ['dijkstra', 'greedy', 'jps', 'bfs'].find((name) => !used.has(name)) ?? 'astar';
+    this.unfitted = true;
+    this.store.commit({ runs: [...runs, { planner: next, options: {} }] });
   }
 
   private choose(index: number, choice: Choice): void {
@@ -225,13 +253,17 @@ export class App extends LitElement {
 
   private async show(layer: Layer): Promise<void> {
     this.store.set({ layer });
-    await Promise.all(this.runners.map((runner) => runner.show(layer)));
+    await this.searches.show(layer);
     this.requestUpdate();
   }
 
   private drag(active: boolean): void {
     this.dragging = active;
-    if (!active) this.plan();
+    if (!active) this.searches.request(this.store.state);
+  }
+
+  private async share(): Promise<void> {
+    this.say(await share(this.store.state, this.clock.step));
   }
 
   private point(pointed: Pointed | null): void {
@@ -273,10 +305,6 @@ export class App extends LitElement {
 
   private refreshViews(): void {
     for (const view of this.views()) view.refresh();
-  }
-
-  private refreshAll(): void {
-    this.requestUpdate();
   }
 
   private say(message: string): void {

@@ -45,7 +45,12 @@ export interface State {
   goal: Place;
   /** One to four, side by side. */
   runs: Choice[];
+  /** "point", "disc:0.3" or the corners of a polygon, in metres; in cells on a map without a resolution. */
   footprint: string;
+  /** A smoother and its options, as the command line takes them; empty: none. */
+  smoother: string;
+  /** Does the heading of the goal count? */
+  headings: boolean;
   layer: Layer;
   arrows: boolean;
   tool: Tool;
@@ -61,6 +66,8 @@ export const initialState: State = {
   goal: { x: 1.5, y: 1.5, heading: 0 },
   runs: [{ planner: 'astar', options: {} }],
   footprint: 'point',
+  smoother: '',
+  headings: false,
   layer: '',
   arrows: false,
   tool: 'wall',

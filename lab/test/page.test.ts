@@ -1,5 +1,6 @@
 // What a visitor does, in Debian's Chromium on the built page.
 
+import { readFile } from 'node:fs/promises';
 import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
 import { openBrowser, type Opened } from './browser';
@@ -29,9 +30,9 @@ afterEach(async () => {
 
 const live = () => page.getByRole('status').textContent();
 
-/** A value of the result, by its name. */
-async function result(name: string): Promise<string | null> {
-  return page.locator('lab-facts').first().locator(`dt:has-text("${name}") + dd`).first().textContent();
+/** A value of the result, by its name: of the first search, or another. */
+async function result(name: string, search = 0): Promise<string | null> {
+  return page.locator(`lab-results tr:has(th:text-is("${name}")) td`).nth(search).textContent();
 }
 
 /** The middle of a cell on the screen, on the first map of the page. */
@@ -137,7 +138,7 @@ describe('the page', () => {
   test('makes other maps', async () => {
     await page.getByLabel('Kind').selectOption('maze');
     await page.getByText('maze, seed 3').waitFor();
-    await page.getByRole('button', { name: 'Another' }).click();
+    await page.getByRole('button', { name: 'Another', exact: true }).click();
     await page.getByText('maze, seed 4').waitFor();
   });
 
@@ -147,6 +148,82 @@ describe('the page', () => {
       const label = (await menu.locator('option').allTextContents()).find((text) => text.includes(colours))!;
       await menu.selectOption(label);
       await page.locator('.ramp').waitFor();
+    });
+  }
+
+  test('compares up to four planners on one map', async () => {
+    for (const planner of ['dijkstra', 'greedy', 'jps']) {
+      await page.getByRole('button', { name: 'Compare with another planner' }).click();
+      await page.getByText(`${planner}: found`).waitFor({ state: 'attached' });
+    }
+    expect(await page.locator('lab-map').count()).toBe(4);
+    expect(await page.getByRole('button', { name: 'Compare with another planner' }).count()).toBe(0);
+    expect(await result('Cost', 0)).toBe('89.3553');
+    expect(await result('Cost', 1)).toBe('89.3553');
+    expect(await result('Cost', 3)).toBe('89.3553');
+    await page.getByLabel('One clock counts').selectOption('Time');
+    await slider().fill('300');
+    await page.getByRole('button', { name: 'Remove greedy' }).click();
+    expect(await page.locator('lab-map').count()).toBe(3);
+  });
+
+  test('shares all by a link, which opens at the same step', async () => {
+    await page.getByRole('button', { name: 'Compare with another planner' }).click();
+    await page.getByText('dijkstra: found').waitFor({ state: 'attached' });
+    await drag([3, 3], [3, 8]);
+    await drag([59, 33], [15, 15]);
+    const cost = await result('Cost');
+    await slider().fill('123');
+    await page.getByRole('button', { name: 'Share link' }).click();
+    await page.getByText(/^The link is/).waitFor({ state: 'attached' });
+    const address = page.url();
+    expect(address.length).toBeGreaterThan(opened.address.length + 50);
+    await page.goto('about:blank');
+    await page.goto(address);
+    await page.getByText('dijkstra: found').waitFor({ state: 'attached' });
+    expect(await slider().inputValue()).toBe('123');
+    expect(await result('Cost')).toBe(cost);
+  });
+
+  test('refuses links that are damaged, and keeps what is there', async () => {
+    for (const damaged of ['x', 'AAAA', 'q1bKL0rMS1WyUkosLQEA', '%00', 'a'.repeat(70_000)]) {
+      await page.evaluate((text) => { location.hash = text; }, damaged);
+      await page.getByText(/^This link is damaged/).waitFor({ state: 'attached' });
+      await page.getByRole('button', { name: 'Share link' }).click();
+      await page.getByText(/^The link is/).waitFor({ state: 'attached' });
+      expect(await result('Cost')).toBe('89.3553');
+    }
+  });
+
+  test('plans for discs and polygons, and for cars', async () => {
+    await page.getByLabel('Shape').selectOption('disc');
+    await page.getByText(/^astar: The start .* is blocked/).waitFor({ state: 'attached' });
+    await page.getByLabel('Radius').fill('0.5');
+    await page.getByLabel('Radius').press('Enter');
+    await page.getByText(/^astar: found/).waitFor({ state: 'attached' });
+    await page.getByLabel('Shape').selectOption('point');
+    await page.getByLabel('Algorithm').selectOption('hybrid_astar');
+    await page.getByText(/^hybrid_astar: found/).waitFor({ state: 'attached' });
+    await page.getByLabel("The goal's heading counts").check();
+    await page.getByText(/^hybrid_astar: found/).waitFor({ state: 'attached' });
+  });
+
+  test('smooths the path', async () => {
+    await page.getByLabel('Smooth the path').selectOption('gradient');
+    await page.getByLabel('Beta').waitFor();
+    await page.getByText(/^astar: found/).waitFor({ state: 'attached' });
+  });
+
+  for (const colorScheme of ['light', 'dark'] as const) {
+    test(`is accessible in ${colorScheme} colours`, async () => {
+      await page.emulateMedia({ colorScheme });
+      await page.getByText('Options', { exact: true }).click();
+      await page.evaluate(await readFile(new URL('../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8'));
+      const found = await page.evaluate(async () => {
+        const { axe } = window as unknown as { axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> } };
+        return (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
+      });
+      expect(found).toEqual([]);
     });
   }
 });

@@ -34,6 +34,8 @@ export class MapView extends LitElement implements Ground {
   runner!: Runner;
   camera!: Camera;
   colours!: Colours;
+  /** Does its planner know headings? */
+  headings = false;
   /** The replay's step for this search, from the clock. */
   stepOf: () => number = () => this.clock.step;
 
@@ -164,7 +166,7 @@ export class MapView extends LitElement implements Ground {
     drawOverlay(context, {
       state, map, camera, colours: this.colours, path: over ? outcome.path : null,
       chain: this.info?.chain ?? null, parents: state.arrows ? this.parents : null,
-      cursor: this.cursor, keyboard: this.keyboard,
+      cursor: this.cursor, keyboard: this.keyboard, headings: this.headings,
     });
   }
 

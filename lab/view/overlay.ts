@@ -2,6 +2,7 @@
 
 import type { MapDocument, State } from '../store/state';
 import { Camera, type Point } from './camera';
+import { drawFootprint, drawHeading } from './footprint';
 import type { Colours } from './palette';
 
 export interface Overlay {
@@ -15,6 +16,8 @@ export interface Overlay {
   parents: Uint32Array | null;
   cursor: Point | null;
   keyboard: boolean;
+  /** Does the planner know headings? */
+  headings: boolean;
 }
 
 export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay): void {
@@ -29,6 +32,11 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay)
     drawLine(context, overlay, overlay.path, colours.halo, width + 3, []);
     drawLine(context, overlay, overlay.path, colours.path, width, []);
   }
+  drawFootprint(context, camera, map, state.start, state.footprint, colours.start);
+  drawFootprint(context, camera, map, state.goal, state.footprint, colours.goal);
+  const length = 2.2 * markSize(camera);
+  if (overlay.headings) drawHeading(context, camera, map, state.start, length, colours.start);
+  if (overlay.headings && state.headings) drawHeading(context, camera, map, state.goal, length, colours.goal);
   if (overlay.cursor) drawCursor(context, overlay, overlay.cursor);
   drawEnd(context, camera.pixelOf(map, state.start), markSize(camera), colours.start, colours.halo, 'S');
   drawEnd(context, camera.pixelOf(map, state.goal), markSize(camera), colours.goal, colours.halo, 'G');

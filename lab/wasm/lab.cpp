@@ -1,17 +1,21 @@
 #include "lab/wasm/lab.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lab/wasm/answers.hpp"
 #include "lab/wasm/cells.hpp"
 #include "lab/wasm/json.hpp"
 #include "wend/generate/generators.hpp"
+#include "wend/geometry/arc.hpp"
 #include "wend/path/smoother.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::lab {
 namespace {
+
+constexpr double kTurnOfALine = 0.1;  // radians
 
 /// One entry of a list: "astar:weight=2".
 Expected<OptionSpec, Error> spec_of(std::string_view text, std::string_view kind,
@@ -151,10 +155,24 @@ std::string Lab::plan(const Task& task) {
   goal_ = cell_at(task.goal.point());
   if (!answer) return failure_text(answer.error(), replay_.steps());
   if (answer->moves) moves_ = *answer->moves;
-  for (const Pose& pose : answer->path().poses()) {
-    points_.insert(points_.end(), {pose.x, pose.y, pose.heading});
-  }
+  put(answer->path());
   return plan_text(*answer, replay_.steps());
+}
+
+void Lab::put(const Path& path) {
+  const auto append = [&](const Pose& pose) {
+    points_.insert(points_.end(), {pose.x, pose.y, pose.heading});
+  };
+  const std::vector<Pose> poses = path.poses();
+  const std::vector<Arc> arcs = path.arcs();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    append(poses[i]);
+    if (i >= arcs.size()) continue;
+    // The page draws lines: an arc becomes some.
+    const Arc& arc = arcs[i];
+    const int lines = static_cast<int>(std::ceil(std::abs(arc.turn()) / kTurnOfALine));
+    for (int line = 1; line < lines; ++line) append(pose_on(arc, arc.length * line / lines));
+  }
 }
 
 std::string Lab::cell(Cell cell) {

@@ -2,6 +2,7 @@
 
 #include "lab/wasm/json.hpp"
 #include "wend/generate/generators.hpp"
+#include "wend/path/smoother.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/version.hpp"
 
@@ -63,6 +64,16 @@ void write(Json& json, const GeneratorInfo& generator) {
   json.end_object();
 }
 
+void write(Json& json, const SmootherInfo& smoother) {
+  json.object()
+      .field("name", smoother.name)
+      .field("summary", smoother.summary)
+      .field("citation", smoother.citation)
+      .field("drives", smoother.drives);
+  write(json, smoother.options);
+  json.end_object();
+}
+
 }  // namespace
 
 std::string registry_text() {
@@ -72,6 +83,8 @@ std::string registry_text() {
   for (const PlannerInfo& planner : planners()) write(json, planner);
   json.end_array().key("generators").array();
   for (const GeneratorInfo& generator : generators()) write(json, generator);
+  json.end_array().key("smoothers").array();
+  for (const SmootherInfo& smoother : smoothers()) write(json, smoother);
   json.end_array().end_object();
   return json.text();
 }
