@@ -3,6 +3,7 @@
 import { html, LitElement, nothing } from 'lit';
 import { Searches } from '../engine/searches';
 import type { Failure, Layer, Registry } from '../engine/types';
+import type { ScenarioQuery } from '../formats/moving_ai';
 import { Clock } from '../store/clock';
 import { readLink } from '../store/link';
 import { fromLink, fromRecipe } from '../store/maps';
@@ -13,7 +14,12 @@ import '../view/map_view';
 import type { MapView, Pointed } from '../view/map_view';
 import { dark, light } from '../view/palette';
 import { appStyle } from './app_style';
+import { endsOfQuery, save, stateOfFiles } from './desk';
 import './facts';
+import './file_panel';
+import type { Saved } from './file_panel';
+import { keyed } from './keys';
+import './layers_panel';
 import './map_panel';
 import './planner_panel';
 import './results';
@@ -22,17 +28,7 @@ import { share } from './share';
 import { panelStyle } from './style';
 import './tools_panel';
 import './transport';
-import { cellInWords, number, outcomeInWords } from './words';
-
-const layers: { layer: Layer; label: string }[] = [
-  { layer: '', label: 'Expanded and frontier' },
-  { layer: 'expansion', label: 'Order of expansion' },
-  { layer: 'g', label: 'g: cost from the start' },
-  { layer: 'h', label: 'h: estimate to the goal' },
-  { layer: 'f', label: 'f: priority' },
-  { layer: 'cost', label: 'Cost to go' },
-  { layer: 'clearance', label: 'Clearance' },
-];
+import { cellInWords, outcomeInWords } from './words';
 
 const firstRecipe: Recipe = { generator: 'rooms', options: {}, width: 61, height: 35, seed: 3 };
 const mostRuns = 4;
@@ -55,6 +51,7 @@ export class App extends LitElement {
   private step: number | null = null;
   private unfitted = true;
   private answers = 0;
+  private queries: ScenarioQuery[] = [];
 
   /** Begins with a compiled engine, its registry, and the text of a link. */
   async begin(module: WebAssembly.Module, registry: Registry, link: string): Promise<void> {
@@ -63,7 +60,7 @@ export class App extends LitElement {
     this.store.listen((state, before, stroke) => this.changed(state, before, stroke));
     this.clock.listen(() => this.refreshViews());
     this.scheme.addEventListener('change', () => this.requestUpdate());
-    addEventListener('keydown', (event) => this.key(event));
+    addEventListener('keydown', (event) => keyed(event, this.store, this.clock));
     addEventListener('hashchange', () => this.open(location.hash.slice(1)));
     this.play = !this.calm.matches;
     if (link === '' || !await this.open(link)) await this.make(firstRecipe, false);
@@ -84,8 +81,9 @@ export class App extends LitElement {
         <span class="space"></span>
         <button @click=${this.share} title="A link to this map, these planners and this step">Share link</button>
       </header>
-      <main>
-        <section class="views" data-count=${state.runs.length} aria-label="Maps">
+      <main aria-busy=${this.searches.busy}>
+        <section class="views" @dragover=${(event: DragEvent) => event.preventDefault()} @drop=${this.drop}
+          data-count=${state.runs.length} aria-label="Maps">
           ${state.runs.map((run, i) => this.view(run, i))}
         </section>
         <aside aria-label="Settings">
@@ -96,13 +94,21 @@ export class App extends LitElement {
             ${this.searches.busy ? html`<button @click=${() => this.searches.stop()}>Stop the search</button>` : nothing}
           </section>
           <section><h2>Under the pointer</h2>${this.cellFacts()}</section>
-          <section><h2>Colours</h2>${this.layers(state)}</section>
+          <section><h2>Colours</h2>
+            <lab-layers .store=${this.store} .state=${state} .range=${this.searches.runners[0]?.range ?? null}
+              @show=${(event: CustomEvent<Layer>) => this.show(event.detail)}></lab-layers></section>
           <section><h2>Robot and path</h2>
             <lab-robot .store=${this.store} .registry=${this.registry} .state=${state}></lab-robot></section>
           <section><h2>Map</h2>
             <lab-map-panel .registry=${this.registry} .recipe=${state.map.recipe ?? firstRecipe}
               name="${state.map.name}, ${state.map.width} × ${state.map.height} cells"
               @make=${(event: CustomEvent<Recipe>) => this.make(event.detail)}></lab-map-panel>
+          </section>
+          <section><h2>Files</h2>
+            <lab-files .queries=${this.queries}
+              @open=${(event: CustomEvent<File[]>) => this.openFiles(event.detail)}
+              @query=${(event: CustomEvent<number>) => this.store.commit(endsOfQuery(this.queries[event.detail]!))}
+              @save=${(event: CustomEvent<Saved>) => this.save(event.detail)}></lab-files>
           </section>
         </aside>
       </main>
@@ -154,31 +160,6 @@ export class App extends LitElement {
     </section>`;
   }
 
-  private layers(state: State) {
-    return html`<div class="stack">
-      <label>Show
-        <select @change=${(event: Event) => this.show(layers[(event.target as HTMLSelectElement).selectedIndex]!.layer)}>
-          ${layers.map(({ layer, label }) => html`<option ?selected=${layer === state.layer}>${label}</option>`)}
-        </select>
-      </label>
-      ${this.legend(state)}
-      <label class="check"><input type="checkbox" .checked=${state.arrows}
-        @change=${(event: Event) => this.store.set({ arrows: (event.target as HTMLInputElement).checked })}>
-        Arrows to parents</label></div>`;
-  }
-
-  private legend(state: State) {
-    const range = this.searches.runners[0]?.range;
-    if (state.layer === '' || !range) {
-      return html`<ul class="legend">
-        <li><i style="background:var(--expanded)"></i>expanded</li>
-        <li><i style="background:var(--frontier)"></i>frontier</li>
-        <li><i style="background:var(--current)"></i>last expanded</li>
-        <li><i class="line" style="background:var(--path)"></i>path</li></ul>`;
-    }
-    return html`<div class="ramp"><span>${number(range.least, 1)}</span><i></i><span>${number(range.greatest, 1)}</span></div>`;
-  }
-
   private cellFacts() {
     if (!this.pointed) return html`<p>Point at a cell, or move to the map with Tab and use the arrow keys.</p>`;
     const { cell, info } = this.pointed;
@@ -191,6 +172,7 @@ export class App extends LitElement {
   }
 
   private async make(recipe: Recipe, undoable = true): Promise<void> {
+    this.queries = [];
     this.take(await fromRecipe(recipe, this.registry!, (each) => this.searches.make(each)), undoable);
   }
 
@@ -204,6 +186,23 @@ export class App extends LitElement {
     const change = await fromLink(linked, (each) => this.searches.make(each));
     this.step = 'error' in change ? null : linked.step;
     return this.take(change, this.store.state.map !== null);
+  }
+
+  private async openFiles(files: File[]): Promise<void> {
+    const opened = await stateOfFiles(files, this.store.state);
+    if (typeof opened === 'string') return this.say(`${opened}.`);
+    this.queries = opened.queries;
+    this.take(opened.change, true);
+  }
+
+  private drop(event: DragEvent): void {
+    event.preventDefault();
+    void this.openFiles([...(event.dataTransfer?.files ?? [])]);
+  }
+
+  private async save(what: Saved): Promise<void> {
+    const path = this.searches.runners[0]?.outcome?.path ?? null;
+    this.say(await save(what, this.store.state, path, this.views()[0]));
   }
 
   /** A new map, unless there is none, for a reason. */
@@ -269,25 +268,6 @@ export class App extends LitElement {
   private point(pointed: Pointed | null): void {
     this.pointed = pointed;
     this.requestUpdate();
-  }
-
-  private key(event: KeyboardEvent): void {
-    const target = event.composedPath()[0] as HTMLElement;
-    if (/^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) return;
-    const control = event.ctrlKey || event.metaKey;
-    const key = event.key.toLowerCase();
-    if (control && key === 'z') event.shiftKey ? this.store.redo() : this.store.undo();
-    else if (control && key === 'y') this.store.redo();
-    else if (control || event.altKey) return;
-    else if (key === 'p') this.clock.toggle();
-    else if (key === '.') this.clock.move(1);
-    else if (key === ',') this.clock.move(-1);
-    else if (key === 'w') this.store.set({ tool: 'wall' });
-    else if (key === 'c') this.store.set({ tool: 'cost' });
-    else if (key === 'e') this.store.set({ tool: 'erase' });
-    else if (key === 'm') this.store.set({ tool: 'look' });
-    else return;
-    event.preventDefault();
   }
 
   private fit(): void {

@@ -23,12 +23,6 @@ export const appStyle = css`
   footer { padding: 0.6rem 1rem; border-top: 1px solid var(--line); }
   .live { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
   .wait { padding: 2rem; }
-  .legend { list-style: none; margin: 0; padding: 0; display: flex; flex-wrap: wrap; gap: 0.3rem 0.9rem; font-size: 0.8125rem; color: var(--faint); }
-  .legend li { display: flex; align-items: center; gap: 0.4rem; }
-  .legend i { width: 0.8rem; height: 0.8rem; border-radius: 2px; }
-  .legend i.line { height: 0.25rem; }
-  .ramp { display: flex; align-items: center; gap: 0.5rem; font-size: 0.8125rem; font-variant-numeric: tabular-nums; color: var(--faint); }
-  .ramp i { flex: 1; height: 0.7rem; border-radius: 3px; background: var(--ramp); }
   @media (max-width: 760px) {
     :host { height: auto; min-height: 100dvh; }
     main { grid-template-columns: 1fr; }

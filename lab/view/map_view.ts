@@ -84,6 +84,16 @@ export class MapView extends LitElement implements Ground {
     if (!this.painting) void this.paintAll();
   }
 
+  /** What the view shows, as PNG. */
+  async picture(): Promise<Blob | null> {
+    const canvases = this.canvases();
+    if (!canvases) return null;
+    const both = new OffscreenCanvas(canvases[0].width, canvases[0].height);
+    const context = both.getContext('2d')!;
+    for (const canvas of canvases) context.drawImage(canvas, 0, 0);
+    return both.convertToBlob({ type: 'image/png' });
+  }
+
   moved(): void {
     this.dispatchEvent(new CustomEvent('camera'));
   }
