@@ -10,5 +10,6 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     assetsInlineLimit: 0,
   },
-  worker: { format: 'es' },
+  // Classic scripts: browsers refuse workers that are modules on pages from a folder.
+  worker: { format: 'iife' },
 });

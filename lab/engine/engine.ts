@@ -13,15 +13,18 @@ interface Waiting {
   reject(fault: Error): void;
 }
 
+/** A compiled module, or its bytes where a worker is not given compiled ones: on pages from a folder. */
+export type Program = WebAssembly.Module | ArrayBuffer;
+
 export class Engine {
   private readonly worker = new EngineWorker();
   private readonly waiting = new Map<number, Waiting>();
   private last = 0;
 
-  constructor(module: WebAssembly.Module) {
+  constructor(program: Program) {
     this.worker.onmessage = (event: MessageEvent<Answer>) => this.settle(event.data);
     this.worker.onerror = (event) => this.fail(event.message);
-    this.worker.postMessage(module);
+    this.worker.postMessage(program);
   }
 
   call<Name extends Method>(

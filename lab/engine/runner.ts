@@ -3,7 +3,7 @@
 
 import { specOf, type Choice, type State } from '../store/state';
 import type { Stroke } from '../store/store';
-import { Engine } from './engine';
+import { Engine, type Program } from './engine';
 import type { Failure, Layer, Outcome, Range } from './types';
 
 /** A search that is longer than this while ends are dragged is not written down before they are let go. */
@@ -24,8 +24,8 @@ export class Runner {
   private wanted: { state: State; choice: Choice; dragging: boolean } | null = null;
   private lastRecording = 0;
 
-  constructor(private readonly module: WebAssembly.Module, private readonly changed: (runner: Runner) => void) {
-    this.engine = new Engine(module);
+  constructor(private readonly program: Program, private readonly changed: (runner: Runner) => void) {
+    this.engine = new Engine(program);
   }
 
   /** Cells that changed; for the next request. */
@@ -43,7 +43,7 @@ export class Runner {
   stop(): void {
     if (!this.busy) return;
     this.engine.end();
-    this.engine = new Engine(this.module);
+    this.engine = new Engine(this.program);
     this.map = null;
     this.footprint = 'point';
   }

@@ -3,6 +3,7 @@
 import type { Clock } from '../store/clock';
 import type { State } from '../store/state';
 import type { Stroke } from '../store/store';
+import type { Program } from './engine';
 import { Runner } from './runner';
 import type { Layer, MapInfo, Failure } from './types';
 import { specOf, type Recipe } from '../store/state';
@@ -11,7 +12,7 @@ export class Searches {
   readonly runners: Runner[] = [];
 
   constructor(
-    private readonly module: WebAssembly.Module, private readonly clock: Clock,
+    private readonly program: Program, private readonly clock: Clock,
     /** A search has ended; `all` if none is left. */
     private readonly changed: (all: boolean) => void,
   ) {}
@@ -63,7 +64,7 @@ export class Searches {
 
   /** A map of a recipe, made beside the searches. */
   async make(recipe: Recipe): Promise<{ info: MapInfo; cells: Uint8Array } | Failure> {
-    const maker = new Runner(this.module, () => undefined).engine;
+    const maker = new Runner(this.program, () => undefined).engine;
     const spec = specOf(recipe.generator, recipe.options);
     const info = await maker.call('generate', spec, recipe.width, recipe.height, recipe.seed);
     const made = 'error' in info ? info : { info, cells: await maker.call('cells') };
@@ -73,7 +74,7 @@ export class Searches {
 
   private resize(count: number): void {
     while (this.runners.length < count) {
-      this.runners.push(new Runner(this.module, () => this.changed(!this.busy)));
+      this.runners.push(new Runner(this.program, () => this.changed(!this.busy)));
     }
     for (const runner of this.runners.splice(count)) runner.end();
   }

@@ -21,12 +21,11 @@ const scope = self as unknown as {
 
 let engine: Promise<EngineModule>;
 
-scope.onmessage = (event: MessageEvent<Call | WebAssembly.Module>) => {
-  if (event.data instanceof WebAssembly.Module) {
-    engine = EngineModule.from(event.data);
-    return;
-  }
-  void answer(event.data);
+scope.onmessage = (event: MessageEvent<Call | WebAssembly.Module | ArrayBuffer>) => {
+  const { data } = event;
+  if (data instanceof WebAssembly.Module) engine = EngineModule.from(data);
+  else if (data instanceof ArrayBuffer) engine = WebAssembly.compile(data).then((module) => EngineModule.from(module));
+  else void answer(data);
 };
 
 async function answer({ id, method, args }: Call): Promise<void> {

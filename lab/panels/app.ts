@@ -1,6 +1,7 @@
 // <wend-lab>: the page: wires the store, the clock, the searches, the views and the panels.
 
 import { html, LitElement, nothing } from 'lit';
+import type { Program } from '../engine/engine';
 import { Searches } from '../engine/searches';
 import type { Failure, Layer, Registry } from '../engine/types';
 import type { ScenarioQuery } from '../formats/moving_ai';
@@ -54,9 +55,9 @@ export class App extends LitElement {
   private queries: ScenarioQuery[] = [];
 
   /** Begins with a compiled engine, its registry, and the text of a link. */
-  async begin(module: WebAssembly.Module, registry: Registry, link: string): Promise<void> {
+  async begin(program: Program, registry: Registry, link: string): Promise<void> {
     this.registry = registry;
-    this.searches = new Searches(module, this.clock, (all) => this.answered(all));
+    this.searches = new Searches(program, this.clock, (all) => this.answered(all));
     this.store.listen((state, before, stroke) => this.changed(state, before, stroke));
     this.clock.listen(() => this.refreshViews());
     this.scheme.addEventListener('change', () => this.requestUpdate());
@@ -79,6 +80,7 @@ export class App extends LitElement {
         <h1>wend lab</h1>
         <lab-tools .store=${this.store}></lab-tools>
         <span class="space"></span>
+        ${document.getElementById('wend-wasm') ? nothing : html`<a href="./licences.html">Licences</a>`}
         <button @click=${this.share} title="A link to this map, these planners and this step">Share link</button>
       </header>
       <main aria-busy=${this.searches.busy}>

@@ -274,4 +274,31 @@ describe('the page', () => {
       expect(found).toEqual([]);
     });
   }
+
+  test('works without a network after the first visit, and asks for its own files only', async () => {
+    const context = await opened.browser.newContext({ reducedMotion: 'reduce' });
+    const visitor = await context.newPage();
+    const asked: string[] = [];
+    visitor.on('request', (request) => asked.push(request.url()));
+    await visitor.goto(opened.address);
+    await visitor.evaluate(async () => { await navigator.serviceWorker.ready; });
+    await visitor.reload();
+    await context.setOffline(true);
+    await visitor.reload();
+    await visitor.getByText(/^astar: found/).waitFor({ state: 'attached' });
+    expect(asked.filter((url) => !url.startsWith(opened.address) && !/^(data|blob):/.test(url))).toEqual([]);
+    await context.close();
+  });
+
+  test('works as one file from a folder', async () => {
+    await page.goto(new URL('../../build/lab/wend-lab.html', import.meta.url).href);
+    await page.getByText('astar: found a path of cost 89.3553').waitFor({ state: 'attached' });
+  });
+
+  test('names the licences of what it contains', async () => {
+    await page.getByRole('link', { name: 'Licences' }).click();
+    for (const name of ['lit ', 'fflate ', 'wasi-libc', 'libc\\+\\+']) {
+      expect(await page.getByRole('heading', { name: new RegExp(`^${name}`) }).count()).toBeGreaterThan(0);
+    }
+  });
 });
