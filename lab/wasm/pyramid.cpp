@@ -106,6 +106,13 @@ void Pyramid::set_map(std::span<const std::uint8_t> cells, int width, int height
 }
 
 void Pyramid::set_replay(const Replay& replay) {
+  if (replay.width() == 0) {
+    for (Level& level : levels_) {
+      level.expansion.clear();
+      level.generation.clear();
+    }
+    return;
+  }
   int width = replay.width();
   int height = replay.height();
   const std::vector<std::uint32_t>* expansion = &replay.expansion();

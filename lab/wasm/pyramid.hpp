@@ -26,7 +26,7 @@ class Pyramid {
  public:
   /// Makes the levels of a map. O(cells).
   void set_map(std::span<const std::uint8_t> cells, int width, int height);
-  /// Takes over the steps of a search on this map. O(cells).
+  /// Takes over the steps of a search on this map, or of none. O(cells).
   void set_replay(const Replay& replay);
 
   /// The level with blocks of 2^(i + 1) x 2^(i + 1) cells, from 0.
