@@ -80,7 +80,6 @@ export class App extends LitElement {
         <h1>wend lab</h1>
         <lab-tools .store=${this.store}></lab-tools>
         <span class="space"></span>
-        ${document.getElementById('wend-wasm') ? nothing : html`<a href="./licences.html">Licences</a>`}
         <button @click=${this.share} title="A link to this map, these planners and this step">Share link</button>
       </header>
       <main aria-busy=${this.searches.busy}>
@@ -112,6 +111,7 @@ export class App extends LitElement {
               @query=${(event: CustomEvent<number>) => this.store.commit(endsOfQuery(this.queries[event.detail]!))}
               @save=${(event: CustomEvent<Saved>) => this.save(event.detail)}></lab-files>
           </section>
+          ${document.getElementById('wend-wasm') ? nothing : html`<section><a href="./licences.html">Licences</a></section>`}
         </aside>
       </main>
       <footer><lab-transport .clock=${this.clock}></lab-transport></footer>

@@ -15,6 +15,7 @@ export const appStyle = css`
     font-size: 0.8125rem; background: var(--page); color: var(--ink); pointer-events: none; }
   .reason { position: absolute; z-index: 1; left: 0.75rem; right: 0.75rem; bottom: 0.75rem; padding: 0.5rem 0.75rem; border-radius: 6px;
     border-left: 4px solid var(--current); background: var(--page); color: var(--ink); pointer-events: none; }
+  aside a { font-size: 0.8125rem; }
   .space { flex: 1; }
   .quiet { margin-top: 0.6rem; }
   aside { overflow-y: auto; border-left: 1px solid var(--line); }
