@@ -147,6 +147,11 @@ export class EngineModule {
     return order;
   }
 
+  /** The index of the cell that an expansion took, from 1; not above the steps of the search. */
+  expandedAt(step: number): number {
+    return this.wasm.expanded_at(step);
+  }
+
   /** For each cell of the map the index of its parent; 2^32 - 1: none. Empty without a recorded search. */
   parents(): Uint32Array {
     const address = this.wasm.parents();

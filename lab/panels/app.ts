@@ -8,9 +8,10 @@ import type { ScenarioQuery } from '../formats/moving_ai';
 import { Clock } from '../store/clock';
 import { readLink } from '../store/link';
 import { fromLink, fromRecipe } from '../store/maps';
-import type { Choice, Pace, Recipe, State } from '../store/state';
+import type { Choice, Recipe, State } from '../store/state';
 import { Store, type Stroke } from '../store/store';
-import { Camera } from '../view/camera';
+import { guess, noScore } from '../exercises/next';
+import { Camera, type Point } from '../view/camera';
 import '../view/map_view';
 import type { MapView, Pointed } from '../view/map_view';
 import { dark, light } from '../view/palette';
@@ -19,12 +20,13 @@ import { endsOfQuery, save, stateOfFiles } from './desk';
 import './facts';
 import './file_panel';
 import type { Saved } from './file_panel';
+import './exercise_panel';
 import { keyed } from './keys';
 import './layers_panel';
 import './map_panel';
-import './planner_panel';
 import './results';
 import './robot_panel';
+import './runs_panel';
 import { share } from './share';
 import { panelStyle } from './style';
 import './tools_panel';
@@ -32,7 +34,6 @@ import './transport';
 import { cellInWords, outcomeInWords } from './words';
 
 const firstRecipe: Recipe = { generator: 'rooms', options: {}, width: 61, height: 35, seed: 3 };
-const mostRuns = 4;
 
 export class App extends LitElement {
   static override styles = [panelStyle, appStyle];
@@ -53,6 +54,7 @@ export class App extends LitElement {
   private unfitted = true;
   private answers = 0;
   private queries: ScenarioQuery[] = [];
+  private score = noScore;
 
   /** Begins with a compiled engine, its registry, and the text of a link. */
   async begin(program: Program, registry: Registry, link: string): Promise<void> {
@@ -88,8 +90,7 @@ export class App extends LitElement {
           ${state.runs.map((run, i) => this.view(run, i))}
         </section>
         <aside aria-label="Settings">
-          ${state.runs.map((run, i) => this.planner(state, run, i))}
-          ${this.more(state)}
+          <lab-runs .store=${this.store} .registry=${this.registry} .state=${state} @count=${() => { this.unfitted = true; }}></lab-runs>
           <section><h2>Result</h2>
             <lab-results .runners=${this.searches.runners} .runs=${state.runs} version=${this.answers}></lab-results>
             ${this.searches.busy ? html`<button @click=${() => this.searches.stop()}>Stop the search</button>` : nothing}
@@ -111,6 +112,9 @@ export class App extends LitElement {
               @query=${(event: CustomEvent<number>) => this.store.commit(endsOfQuery(this.queries[event.detail]!))}
               @save=${(event: CustomEvent<Saved>) => this.save(event.detail)}></lab-files>
           </section>
+          <section><h2>Exercise</h2>
+            <lab-exercise .store=${this.store} .score=${this.score} ?active=${state.exercise !== ''}
+              @begin=${() => this.beginExercise()}></lab-exercise></section>
           ${document.getElementById('wend-wasm') ? nothing : html`<section><a href="./licences.html">Licences</a></section>`}
         </aside>
       </main>
@@ -136,30 +140,9 @@ export class App extends LitElement {
         .colours=${colours} .stepOf=${() => this.searches.stepOf(i, this.store.state)}
         label="Map with the search of ${run.planner}. Arrow keys move the cursor, space paints, S and G set start and goal."
         @camera=${() => this.refreshViews()} @resized=${() => this.fit()}
+        @answer=${(event: CustomEvent<Point>) => this.guess(event.detail)}
         @drag=${(event: CustomEvent<boolean>) => this.drag(event.detail)}
         @pointed=${(event: CustomEvent<Pointed | null>) => this.point(event.detail)}></lab-map></figure>`;
-  }
-
-  private planner(state: State, run: Choice, i: number) {
-    const many = state.runs.length > 1;
-    return html`<section><h2>${many ? `Planner ${i + 1}` : 'Planner'}</h2>
-      <lab-planner .registry=${this.registry} .choice=${run} heading="Algorithm"
-        @choose=${(event: CustomEvent<Choice>) => this.choose(i, event.detail)}></lab-planner>
-      ${many ? html`<button class="quiet" @click=${() => this.store.commit({ runs: state.runs.filter((_, k) => k !== i) })}>
-        Remove ${run.planner}</button>` : nothing}
-    </section>`;
-  }
-
-  private more(state: State) {
-    const { runs, pace } = state;
-    return html`<section class="stack">
-      ${runs.length < mostRuns ? html`<button @click=${this.add}>Compare with another planner</button>` : nothing}
-      ${runs.length > 1 ? html`<label>One clock counts
-        <select @change=${(event: Event) => this.store.set({ pace: (event.target as HTMLSelectElement).value as Pace })}>
-          <option value="expansions" ?selected=${pace === 'expansions'}>Expansions</option>
-          <option value="time" ?selected=${pace === 'time'}>Time</option>
-        </select></label>` : nothing}
-    </section>`;
   }
 
   private cellFacts() {
@@ -240,18 +223,6 @@ export class App extends LitElement {
     this.requestUpdate();
   }
 
-  private add(): void {
-    const { runs } = this.store.state;
-    const used = new Set(runs.map(({ planner }) => planner));
-    const next = ['dijkstra', 'greedy', 'jps', 'bfs'].find((name) => !used.has(name)) ?? 'astar';
-    this.unfitted = true;
-    this.store.commit({ runs: [...runs, { planner: next, options: {} }] });
-  }
-
-  private choose(index: number, choice: Choice): void {
-    this.store.commit({ runs: this.store.state.runs.map((run, i) => (i === index ? choice : run)) });
-  }
-
   private async show(layer: Layer): Promise<void> {
     this.store.set({ layer });
     await this.searches.show(layer);
@@ -261,6 +232,27 @@ export class App extends LitElement {
   private drag(active: boolean): void {
     this.dragging = active;
     if (!active) this.searches.request(this.store.state);
+  }
+
+  private beginExercise(): void {
+    this.score = noScore;
+    this.clock.playing = false;
+    this.clock.seek(1);
+    this.requestUpdate();
+  }
+
+  private async guess(cell: Point): Promise<void> {
+    const runner = this.searches.runners[0]!;
+    const { map } = this.store.state;
+    const step = this.searches.stepOf(0, this.store.state);
+    if (!map || !runner.outcome || step >= runner.outcome.steps) return this.say('The search has ended: go back to an earlier moment.');
+    const told = {
+      expandedAt: (at: number) => runner.engine.call('expandedAt', at),
+      cell: (x: number, y: number) => runner.engine.call('cell', x, y),
+    };
+    this.score = await guess(told, map.width, step, cell, this.score);
+    this.clock.move(1);
+    this.say(this.score.said);
   }
 
   private async share(): Promise<void> {

@@ -17,7 +17,6 @@ export const appStyle = css`
     border-left: 4px solid var(--current); background: var(--page); color: var(--ink); pointer-events: none; }
   aside a { font-size: 0.8125rem; }
   .space { flex: 1; }
-  .quiet { margin-top: 0.6rem; }
   aside { overflow-y: auto; border-left: 1px solid var(--line); }
   aside > section { padding: 0.9rem 1rem; border-bottom: 1px solid var(--line); }
   aside > section:last-child { border: 0; }

@@ -3,7 +3,7 @@
 
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { plainFrame, type Frame, type Layer, type Registry } from '../engine/types';
-import type { Choice, MapDocument, Pace, Place, Recipe, State } from './state';
+import type { Choice, Exercise, MapDocument, Pace, Place, Recipe, State } from './state';
 
 /** Addresses longer than this are cut by some programs that people send them with. */
 export const longestLink = 32_000;
@@ -26,6 +26,7 @@ export interface Linked {
   layer: Layer;
   arrows: boolean;
   pace: Pace;
+  exercise: Exercise;
   step: number;
 }
 
@@ -35,11 +36,11 @@ const layers: readonly Layer[] = ['', 'expansion', 'g', 'h', 'f', 'cost', 'clear
 export function linkOf(state: State, step: number): string | null {
   const map = state.map;
   if (!map) return null;
-  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace } = state;
+  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise } = state;
   const bytes = bytesOf(map);
   const head = strToU8(JSON.stringify({
     v: 1, name: map.name, width: map.width, height: map.height, frame: map.frame, recipe: map.recipe,
-    start, goal, runs, footprint, smoother, headings, layer, arrows, pace, step,
+    start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise, step,
   }));
   const all = new Uint8Array(4 + head.length + bytes.length);
   new DataView(all.buffer).setUint32(0, head.length);
@@ -89,6 +90,7 @@ function read(text: string, registry: Registry): Linked {
     footprint: textIn(fields['footprint']), smoother: textIn(fields['smoother']),
     headings: fields['headings'] === true, layer: oneOf(layers, fields['layer']),
     arrows: fields['arrows'] === true, pace: oneOf(['expansions', 'time'] as const, fields['pace']),
+    exercise: oneOf(['', 'next'] as const, fields['exercise'] ?? ''),
     step: wholeIn(fields['step'], 0, 2 ** 32 - 1, 'step'),
   };
 }

@@ -22,8 +22,8 @@ export async function fromRecipe(recipe: Recipe, registry: Registry, make: Maker
 
 /** The state of a link, but its step. */
 export async function fromLink(linked: Linked, make: Maker): Promise<Partial<State> | Failure> {
-  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace } = linked;
-  const rest = { start, goal, runs, footprint, smoother, headings, layer, arrows, pace };
+  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise } = linked;
+  const rest = { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise };
   const { recipe, cells, name, width, height, frame } = linked;
   if (!recipe) return { ...rest, map: documentOf(name, { ...frame, width, height }, cells!) };
   const made = await make(recipe);

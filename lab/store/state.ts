@@ -38,6 +38,7 @@ export interface Choice {
 
 export type Tool = 'wall' | 'cost' | 'erase' | 'look';
 export type Pace = 'expansions' | 'time';
+export type Exercise = '' | 'next';
 
 export interface State {
   map: MapDocument | null;
@@ -58,6 +59,8 @@ export interface State {
   /** The cost that the brush paints. */
   cost: number;
   pace: Pace;
+  /** The exercise that the page asks; empty: none. */
+  exercise: Exercise;
 }
 
 export const initialState: State = {
@@ -74,6 +77,7 @@ export const initialState: State = {
   brush: 1,
   cost: 5,
   pace: 'expansions',
+  exercise: '',
 };
 
 /** "astar:weight=2,heuristic=euclidean", as the command line takes it. */

@@ -33,7 +33,7 @@ function stateOf(seed: number): State {
   });
   return {
     ...initialState, map, runs, start: place(), goal: place(), headings: random() < 0.5, arrows: random() < 0.5,
-    layer: pick(['', 'g', 'cost'] as const), pace: pick(['expansions', 'time'] as const),
+    layer: pick(['', 'g', 'cost'] as const), pace: pick(['expansions', 'time'] as const), exercise: pick(['', 'next'] as const),
     footprint: pick(['point', 'disc:0.3']), smoother: pick(['', 'gradient:beta=0.4']),
   };
 }
@@ -52,7 +52,7 @@ describe('links', () => {
       expect(linked, `seed ${seed}`).toMatchObject({
         name: state.map!.name, frame: state.map!.frame, start: state.start, goal: state.goal, runs: state.runs,
         footprint: state.footprint, smoother: state.smoother, headings: state.headings, layer: state.layer,
-        arrows: state.arrows, pace: state.pace, step: seed,
+        arrows: state.arrows, pace: state.pace, exercise: state.exercise, step: seed,
       });
       expect(cellsOf(linked, state.map!.original), `seed ${seed}`).toEqual(state.map!.cells);
     }

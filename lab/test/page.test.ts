@@ -262,6 +262,21 @@ describe('the page', () => {
     });
   }
 
+  test('asks what is expanded next, and keeps score', async () => {
+    await page.getByRole('button', { name: 'What is expanded next?' }).click();
+    await page.getByText('0 of 0 right').waitFor();
+    const wrong = await pixelOf(30, 17);
+    await page.mouse.click(wrong.x, wrong.y);
+    await page.getByText('0 of 1 right').waitFor();
+    const place = /\((\d+), (\d+)\) is next/.exec((await page.locator('lab-exercise p').allTextContents()).join(' '))!;
+    await page.getByRole('button', { name: 'One expansion back' }).click();
+    const right = await pixelOf(Number(place[1]), Number(place[2]));
+    await page.mouse.click(right.x, right.y);
+    await page.getByText('1 of 2 right').waitFor();
+    await page.getByRole('button', { name: 'End the exercise' }).click();
+    await page.getByRole('button', { name: 'What is expanded next?' }).waitFor();
+  });
+
   for (const colorScheme of ['light', 'dark'] as const) {
     test(`is accessible in ${colorScheme} colours`, async () => {
       await page.emulateMedia({ colorScheme });

@@ -18,6 +18,8 @@ export interface Ground {
   moved(): void;
   /** A cell is pointed at, or none. */
   point(cell: Point | null, keyboard: boolean): void;
+  /** A cell is the answer to an exercise. */
+  answer(cell: Point): void;
   /** Ends are being dragged, or no longer. */
   drag(active: boolean): void;
 }
@@ -39,6 +41,11 @@ export class Hand {
     this.touches.set(event.pointerId, pixel);
     if (this.touches.size > 1) return this.beginPan();
     const { store } = this.ground;
+    if (store.state.exercise !== '' && event.button === 0) {
+      const cell = this.cellAt(pixel);
+      if (cell) this.ground.answer(cell);
+      return;
+    }
     const end = this.endAt(pixel);
     if (event.button === 0 && end) {
       this.end = { which: end, before: { [end]: store.state[end] } };
@@ -99,7 +106,8 @@ export class Hand {
       camera.reveal(map, { x: cell.x + 0.5, y: cell.y + 0.5 }, size.width, size.height);
       this.ground.moved();
     } else if (event.key === ' ' || event.key === 'Enter') {
-      this.brushAt(cell)?.end();
+      if (store.state.exercise === '') this.brushAt(cell)?.end();
+      else this.ground.answer({ ...cell });
     } else if (event.key === 's' || event.key === 'g') {
       store.commit({ [event.key === 's' ? 'start' : 'goal']: centreOf(cell.x, cell.y) });
     } else if (event.key === '+' || event.key === '-') {

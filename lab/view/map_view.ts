@@ -98,6 +98,10 @@ export class MapView extends LitElement implements Ground {
     this.dispatchEvent(new CustomEvent('camera'));
   }
 
+  answer(cell: Point): void {
+    this.dispatchEvent(new CustomEvent('answer', { detail: cell }));
+  }
+
   drag(active: boolean): void {
     this.dispatchEvent(new CustomEvent('drag', { detail: active }));
   }
