@@ -1,5 +1,6 @@
 // Map files read as the command line reads them; damaged ones are refused with their name, and never crash.
 
+import { File as NodeFile } from 'node:buffer';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readdirSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -25,7 +26,8 @@ function converted(file: string): string {
 }
 
 function fileOf(path: string): File {
-  return new File([readFileSync(path)], basename(path));
+  // Node.js 18 has no File of its own.
+  return new NodeFile([readFileSync(path)], basename(path)) as unknown as File;
 }
 
 async function opened(...paths: string[]) {
