@@ -275,6 +275,7 @@ double HybridSearch::follow_descent(Point from) {
     const Point way = field_.descent(point);
     const Point next{point.x + step * way.x, point.y + step * way.y};
     if (!check_.free_space().contains(cell_at(next))) break;
+    field_.settle(next);
     const CostField::Value there = field_.at(next);
     if (!there.exact || !(there.cost < cost)) break;
     point = next;
