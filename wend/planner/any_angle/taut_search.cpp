@@ -1,0 +1,77 @@
+#include "wend/planner/any_angle/taut_search.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace wend {
+
+TautSearch::TautSearch(std::shared_ptr<const Portals> portals, const BitGrid& free)
+    : graph_(std::move(portals)),
+      sweep_(graph_.portals()),
+      free_(&free),
+      corners_(static_cast<Id>(graph_.portals().corners().size())),
+      nodes_(std::size_t{corners_} + 2),
+      goals_in_sight_(corners_) {}
+
+void TautSearch::begin_generation() {
+  if (generation_ == std::numeric_limits<std::uint32_t>::max()) {
+    for (Node& node : nodes_) node.generation = 0;
+    for (GoalInSight& sight : goals_in_sight_) sight.generation = 0;
+    generation_ = 0;
+  }
+  ++generation_;
+}
+
+void TautSearch::find_goals(std::span<const GoalRegion> goals) {
+  goals_.assign(goals);
+  goal_cells_.clear();
+  for (const GoalRegion& region : goals) {
+    region.for_each([this](Cell cell) {
+      if (free_->contains(cell) && (*free_)[cell]) goal_cells_.push_back(cell);
+    });
+  }
+  if (goals.size() > 1) {  // they may overlap
+    std::ranges::sort(goal_cells_);
+    const auto repeated = std::ranges::unique(goal_cells_);
+    goal_cells_.erase(repeated.begin(), repeated.end());
+  }
+  const std::size_t states = std::size_t{corners_} + 1 + goal_cells_.size();
+  if (nodes_.size() < states) nodes_.resize(states);
+}
+
+void TautSearch::look_around_goals() {
+  for (std::size_t i = 0; i < goal_cells_.size(); ++i) {
+    sweep_.from_cell(goal_cells_[i], [&](std::uint32_t corner, Ray ray) {
+      const double length =
+          std::sqrt(static_cast<double>(ray.x * ray.x + ray.y * ray.y)) / 2;
+      GoalInSight& sight = goals_in_sight_[corner];
+      if (sight.generation == generation_ && sight.length <= length) return;
+      sight = {length, static_cast<std::uint32_t>(i), generation_};
+    });
+  }
+}
+
+Point TautSearch::point(Id id) const {
+  if (!is_corner(id)) return centre_of(cell(id));
+  return {static_cast<double>(corner(id).x), static_cast<double>(corner(id).y)};
+}
+
+double TautSearch::h(Point point, Cell near) const {
+  return goals_.least(near, [&](Cell goal) {
+    const double x = goal.x + 0.5 - point.x;
+    const double y = goal.y + 0.5 - point.y;
+    return std::sqrt(x * x + y * y);
+  });
+}
+
+double TautSearch::h(Id id) const {
+  if (id > start_id()) return 0;
+  return h(point(id), is_corner(id) ? Cell{corner(id).x, corner(id).y} : start_);
+}
+
+void TautSearch::drop_stale() {
+  while (!open_.empty() && is_stale(open_.front())) min_heap::pop(open_);
+}
+
+}  // namespace wend

@@ -1,0 +1,245 @@
+#pragma once
+
+// TautSearch: A* on the corners of a map, from one cell to the nearest of some others: finds the shortest path of a
+// point at any angle. Its states are the start, corners, and the goals.
+//
+// What starts and goals see of the map is looked up once in each query, what a corner sees once in all of them
+// (TautGraph). A path goes on from a corner only as taut ones do. From a corner at which all such ways are known to
+// end, it goes on only to a goal.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "wend/planner/goal_cells.hpp"
+#include "wend/planner/grid/grid_planner.hpp"
+#include "wend/search/limit_check.hpp"
+#include "wend/search/min_heap.hpp"
+#include "wend/sight/taut_graph.hpp"
+
+namespace wend {
+
+class TautSearch {
+ public:
+  /// A state: a corner, or the start or a goal, which come behind all corners.
+  using Id = std::uint32_t;
+
+  /// The default watcher. It does nothing.
+  struct NoWatcher {
+    void on_generate(Id) const {}
+    void on_relax(Id) const {}
+    void on_expand(Id) const {}
+  };
+
+  explicit TautSearch(std::shared_ptr<const Portals> portals, const BitGrid& free);
+
+  template <class Watcher>
+  void begin(Cell start, std::span<const GoalRegion> goals, const Limits& limits,
+             Watcher&& watcher);
+  template <class Watcher>
+  void step(Watcher&& watcher);
+
+  SearchOutcome outcome() const { return outcome_; }
+  const SearchMetrics& metrics() const { return metrics_; }
+  const Portals& portals() const { return graph_.portals(); }
+
+  bool is_corner(Id id) const { return id < corners_; }
+  const TautCorner& corner(Id id) const { return portals().corners()[id]; }
+  /// The cell of the start or a goal.
+  Cell cell(Id id) const { return id == start_id() ? start_ : goal_cells_[id - start_id() - 1]; }
+  Cell cell_of_start() const { return start_; }
+  /// In grid coordinates.
+  Point point(Id id) const;
+  bool is_start(Id id) const { return id == start_id(); }
+
+  Id parent(Id id) const { return nodes_[id].parent; }
+  double g(Id id) const { return nodes_[id].g; }
+  double h(Id id) const;
+  /// The estimate from the centre of a cell to the goals; 0 before the first search.
+  double h(Cell cell) const { return goal_cells_.empty() ? 0 : h(centre_of(cell), cell); }
+
+  /// The goal that was found.
+  Id goal() const { return goal_; }
+
+  /// Calls visit(id) for the open states, at most `most`, the next one first. Returns how many there are.
+  template <class Visit>
+  std::uint64_t for_each_open(std::size_t most, Visit&& visit) const;
+
+ private:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+
+  struct Node {
+    double g = 0;
+    Id parent = kNone;
+    std::uint32_t edge = kNone;      // by which it was reached, if from a corner
+    std::uint32_t generation = 0;    // of the search that reached it
+    bool closed = false;
+  };
+
+  /// The nearest goal that a corner sees.
+  struct GoalInSight {
+    double length = 0;
+    std::uint32_t goal = 0;
+    std::uint32_t generation = 0;  // of the search
+  };
+
+  struct Open {
+    double f;
+    double g;
+    Id id;
+
+    /// Of equal estimates the farther state first.
+    friend bool operator<(const Open& a, const Open& b) {
+      if (a.f != b.f) return a.f < b.f;
+      if (a.g != b.g) return a.g > b.g;
+      return a.id < b.id;
+    }
+  };
+
+  Id start_id() const { return corners_; }
+  Id goal_id(std::size_t index) const { return corners_ + 1 + static_cast<Id>(index); }
+  double h(Point point, Cell near) const;
+
+  void begin_generation();
+  void find_goals(std::span<const GoalRegion> goals);
+  void look_around_goals();
+  bool sees_goal(Id corner) const { return goals_in_sight_[corner].generation == generation_; }
+  bool is_stale(const Open& open) const {
+    return nodes_[open.id].closed || nodes_[open.id].g != open.g;
+  }
+  void drop_stale();
+
+  template <class Watcher>
+  void reach(Id id, double g, Id parent, std::uint32_t edge, Watcher& watcher);
+  template <class Watcher>
+  void expand_start(Watcher& watcher);
+  template <class Watcher>
+  void expand_corner(Id id, Watcher& watcher);
+
+  TautGraph graph_;
+  CornerSweep sweep_;
+  const BitGrid* free_;
+  Id corners_;
+  std::vector<Node> nodes_;                   // of corners, the start, goals
+  std::vector<GoalInSight> goals_in_sight_;   // of corners
+  std::uint32_t generation_ = 0;
+  std::vector<Open> open_;  // a heap
+  Cell start_{};
+  std::vector<Cell> goal_cells_;
+  GoalCells goals_;
+  Id goal_ = kNone;
+  SearchOutcome outcome_ = SearchOutcome::running;
+  SearchMetrics metrics_;
+  LimitCheck limits_;
+};
+
+template <class Watcher>
+void TautSearch::begin(Cell start, std::span<const GoalRegion> goals, const Limits& limits,
+                       Watcher&& watcher) {
+  begin_generation();
+  start_ = start;
+  find_goals(goals);
+  limits_.begin(limits);
+  outcome_ = SearchOutcome::running;
+  metrics_ = {};
+  open_.clear();
+  reach(start_id(), 0, kNone, kNone, watcher);
+}
+
+template <class Watcher>
+void TautSearch::step(Watcher&& watcher) {
+  if (outcome_ != SearchOutcome::running) return;
+  if (open_.empty()) {
+    outcome_ = SearchOutcome::exhausted;
+    return;
+  }
+  if (limits_.due(metrics_.expanded)) outcome_ = limits_.look(metrics_.expanded);
+  if (outcome_ != SearchOutcome::running) return;
+  const Id id = min_heap::pop(open_).id;
+  nodes_[id].closed = true;
+  ++metrics_.expanded;
+  watcher.on_expand(id);
+  if (id > start_id()) {
+    goal_ = id;
+    outcome_ = SearchOutcome::found;
+  } else if (id == start_id()) {
+    expand_start(watcher);
+  } else {
+    expand_corner(id, watcher);
+  }
+  drop_stale();
+  if (outcome_ == SearchOutcome::running && open_.empty()) outcome_ = SearchOutcome::exhausted;
+}
+
+template <class Watcher>
+void TautSearch::reach(Id id, double g, Id parent, std::uint32_t edge, Watcher& watcher) {
+  Node& node = nodes_[id];
+  const bool is_new = node.generation != generation_;
+  if (!is_new && (node.closed || g >= node.g)) return;
+  node = {g, parent, edge, generation_, false};
+  min_heap::push(open_, Open{g + h(id), g, id});
+  if (!is_new) return watcher.on_relax(id);
+  ++metrics_.generated;
+  metrics_.max_frontier =
+      std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
+  watcher.on_generate(id);
+}
+
+template <class Watcher>
+void TautSearch::expand_start(Watcher& watcher) {
+  bool sees_all = true;
+  for (std::size_t i = 0; i < goal_cells_.size(); ++i) {
+    if (portals().sees(start_, goal_cells_[i])) {
+      reach(goal_id(i), distance(centre_of(start_), centre_of(goal_cells_[i])), start_id(), kNone,
+            watcher);
+    } else {
+      sees_all = false;
+    }
+  }
+  if (sees_all) return;
+  look_around_goals();
+  sweep_.from_cell(start_, [&](std::uint32_t corner, Ray ray) {
+    reach(corner, std::sqrt(static_cast<double>(ray.x * ray.x + ray.y * ray.y)) / 2, start_id(),
+          kNone, watcher);
+  });
+}
+
+template <class Watcher>
+void TautSearch::expand_corner(Id id, Watcher& watcher) {
+  const Node node = nodes_[id];
+  if (sees_goal(id)) {
+    const GoalInSight& sight = goals_in_sight_[id];
+    reach(goal_id(sight.goal), node.g + sight.length, id, kNone, watcher);
+  }
+  const TautCorner& at = corner(id);
+  TautGraph::Edges ahead{};
+  if (node.edge == kNone) {
+    const Ray ray{2 * std::int64_t{at.x} - 2 * start_.x - 1, 2 * std::int64_t{at.y} - 2 * start_.y - 1};
+    ahead = graph_.ahead_of(id, ray);
+  } else {
+    const TautCorner& from = corner(node.parent);
+    ahead = graph_.ahead(node.edge, {std::int64_t{at.x} - from.x, std::int64_t{at.y} - from.y});
+  }
+  for (std::uint32_t i = ahead.begin; i < ahead.end; ++i) {
+    const TautGraph::Edge& edge = graph_.edge(i);
+    if (graph_.is_known_end(edge) && !sees_goal(edge.to)) continue;
+    reach(edge.to, node.g + edge.length, id, i, watcher);
+  }
+}
+
+template <class Visit>
+std::uint64_t TautSearch::for_each_open(std::size_t most, Visit&& visit) const {
+  std::vector<Open> open = open_;
+  std::uint64_t count = 0;
+  while (!open.empty()) {
+    const Open next = min_heap::pop(open);
+    if (is_stale(next)) continue;
+    if (count++ < most) visit(next.id);
+  }
+  return count;
+}
+
+}  // namespace wend

@@ -1,0 +1,105 @@
+#include "wend/sight/taut_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace wend {
+namespace {
+
+/// Towards the blocked cell of a corner.
+Ray towards(BlockedCell cell) {
+  switch (cell) {
+    case BlockedCell::low_left:
+      return {-1, -1};
+    case BlockedCell::low_right:
+      return {1, -1};
+    case BlockedCell::high_left:
+      return {-1, 1};
+    case BlockedCell::high_right:
+      return {1, 1};
+    case BlockedCell::gap:
+      break;
+  }
+  return {0, 0};
+}
+
+/// Does a ray through a corner lie in the upper one of its two quadrants? One along the row lies in the one on its
+/// side.
+bool is_high(const TautCorner& corner, Ray ray) {
+  if (ray.y != 0) return ray.y > 0;
+  return (ray.x > 0) == (corner.rising == 1);
+}
+
+double length_of(Ray ray) {
+  const auto x = static_cast<double>(ray.x);
+  const auto y = static_cast<double>(ray.y);
+  return std::sqrt(x * x + y * y) / 2;
+}
+
+}  // namespace
+
+TautGraph::TautGraph(std::shared_ptr<const Portals> portals)
+    : portals_(std::move(portals)), sweep_(*portals_), fans_(portals_->corners().size()) {}
+
+const TautGraph::Fan& TautGraph::fan(std::uint32_t corner) {
+  Fan& fan = fans_[corner];
+  if (fan.begin != kUnknown) return fan;
+  high_.clear();
+  low_.clear();
+  const TautCorner& at = portals_->corners()[corner];
+  sweep_.from_corner(corner, [&](std::uint32_t other, Ray ray) {
+    (is_high(at, ray) ? high_ : low_).push_back({other, ray});
+  });
+  const auto counterclockwise = [](const Seen& a, const Seen& b) {
+    return cross(a.ray, b.ray) > 0;
+  };
+  const auto append = [this](const std::vector<Seen>& seen) {
+    for (const auto& [other, ray] : seen) {
+      edges_.push_back({other, kUnknown, 0, length_of(ray)});
+    }
+    return static_cast<std::uint32_t>(edges_.size());
+  };
+  std::ranges::sort(high_, counterclockwise);
+  std::ranges::sort(low_, counterclockwise);
+  fan.begin = static_cast<std::uint32_t>(edges_.size());
+  fan.middle = append(high_);
+  fan.end = append(low_);
+  ++known_;
+  return fan;
+}
+
+Ray TautGraph::ray_of(std::uint32_t from, const Edge& edge) const {
+  const TautCorner& a = portals_->corners()[from];
+  const TautCorner& b = portals_->corners()[edge.to];
+  return {std::int64_t{b.x} - a.x, std::int64_t{b.y} - a.y};
+}
+
+TautGraph::Edges TautGraph::ahead_of(std::uint32_t corner, Ray ray) {
+  const TautCorner& at = portals_->corners()[corner];
+  const Fan& all = fan(corner);
+  const bool high = is_high(at, ray);
+  const std::uint32_t begin = high ? all.begin : all.middle;
+  const std::uint32_t end = high ? all.middle : all.end;
+  if (at.blocked_cell() == BlockedCell::gap) return {begin, end};
+  const bool turns_left = cross(ray, towards(at.blocked_cell())) > 0;
+  const auto first = edges_.begin() + begin;
+  const auto last = edges_.begin() + end;
+  const auto split = std::partition_point(first, last, [&](const Edge& edge) {
+    const std::int64_t angle = cross(ray, ray_of(corner, edge));
+    return turns_left ? angle < 0 : angle <= 0;
+  });
+  const auto middle = static_cast<std::uint32_t>(split - edges_.begin());
+  return turns_left ? Edges{middle, end} : Edges{begin, middle};
+}
+
+TautGraph::Edges TautGraph::ahead(std::uint32_t edge_id, Ray ray) {
+  if (edges_[edge_id].begin == kUnknown) {
+    const Edges found = ahead_of(edges_[edge_id].to, ray);  // may move the edges
+    edges_[edge_id].begin = found.begin;
+    edges_[edge_id].end = found.end;
+  }
+  return {edges_[edge_id].begin, edges_[edge_id].end};
+}
+
+}  // namespace wend
