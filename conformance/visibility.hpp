@@ -46,8 +46,14 @@ class Visibility {
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) free_.push_back(free(Cell{x, y}) ? 1 : 0);
     }
-    for (int y = 1; y < height; ++y) {
-      for (int x = 1; x < width; ++x) {
+  }
+
+  /// Finds all lines between corners, for lengths_from(). O(corners^2 cells).
+  void join_corners() {
+    corners_.clear();
+    lines_.clear();
+    for (int y = 1; y < height_; ++y) {
+      for (int x = 1; x < width_; ++x) {
         if (turns_at(x, y)) corners_.push_back({2 * std::int64_t{x}, 2 * std::int64_t{y}});
       }
     }
@@ -68,7 +74,8 @@ class Visibility {
     return !enters_a_square(a, b) && !runs_between(a, b) && !passes_a_gap(a, b);
   }
 
-  /// The length of the shortest paths from a free cell to all others, in cells; infinite where there is none.
+  /// The length of the shortest paths from a free cell to all others, in cells; infinite where there is none. Call
+  /// join_corners() before.
   std::vector<double> lengths_from(Cell start) const {
     std::vector<double> to_corner(corners_.size(), kNever);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -149,8 +156,7 @@ class Visibility {
         bool any_right = false;
         for (const At corner : {At{2 * x, 2 * y}, At{2 * x + 2, 2 * y}, At{2 * x, 2 * y + 2},
                                 At{2 * x + 2, 2 * y + 2}}) {
-          const std::int64_t side =
-              (b.x - a.x) * (corner.y - a.y) - (b.y - a.y) * (corner.x - a.x);
+          const std::int64_t side = (b.x - a.x) * (corner.y - a.y) - (b.y - a.y) * (corner.x - a.x);
           any_left = any_left || side > 0;
           any_right = any_right || side < 0;
         }

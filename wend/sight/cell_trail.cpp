@@ -99,7 +99,7 @@ class Trail {
 }  // namespace
 
 void write_trail(const Portals& portals, Cell start, std::span<const std::uint32_t> corners,
-                  Cell goal, std::vector<Cell>& cells) {
+                 Cell goal, std::vector<Cell>& cells) {
   Trail trail(portals, start, cells);
   HalfCells at = centre(start);
   for (const std::uint32_t id : corners) {

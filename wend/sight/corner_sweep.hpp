@@ -131,12 +131,9 @@ class CornerSweep {
     const Ray right{2 * std::int64_t{portal.right} - x0, cone.away};
     const std::int64_t left_in = side_of(left.x, cone.away, cone.left);
     const std::int64_t right_in = -side_of(right.x, cone.away, cone.right);
-    Cone next{up ? portal.above : portal.below,
-              cone.away + 2,
-              left_in > 0 ? left : cone.left,
-              right_in > 0 ? right : cone.right,
-              left_in <= 0 && cone.left_told,
-              right_in <= 0 && cone.right_told};
+    Cone next{up ? portal.above : portal.below, cone.away + 2,
+              left_in > 0 ? left : cone.left,   right_in > 0 ? right : cone.right,
+              left_in <= 0 && cone.left_told,   right_in <= 0 && cone.right_told};
     const auto told_on = [&](std::int64_t x) {
       return (cone.left_told && side_of(x, cone.away, cone.left) == 0) ||
              (cone.right_told && side_of(x, cone.away, cone.right) == 0);

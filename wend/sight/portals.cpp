@@ -11,9 +11,8 @@ Portals::Portals(const BitGrid& free, const OpenGap& open_gap) {
   first_run_.reserve(static_cast<std::size_t>(free.height()) + 1);
   for (int y = 0; y < free.height(); ++y) {
     first_run_.push_back(static_cast<std::uint32_t>(runs_.size()));
-    for_each_run(free.row_words(y), free.width(), [this](const RowRun& run) {
-      runs_.push_back({run.begin, run.end, 0, 0});
-    });
+    for_each_run(free.row_words(y), free.width(),
+                 [this](const RowRun& run) { runs_.push_back({run.begin, run.end, 0, 0}); });
   }
   first_run_.push_back(static_cast<std::uint32_t>(runs_.size()));
   runs_.push_back({0, 0, 0, 0});  // whose numbers end those of the last run
@@ -43,8 +42,9 @@ void Portals::join_rows(int y, const OpenGap& open_gap) {
     const int left = std::max(low.left, high.left);
     const int right = std::min(low.right, high.right);
     const bool rising = low.right == left;  // if it is a gap
-    if (left < right || (left == right && open_gap &&
-                         open_gap({rising ? left - 1 : left, y - 1}, {rising ? left : left - 1, y}))) {
+    if (left < right ||
+        (left == right && open_gap &&
+         open_gap({rising ? left - 1 : left, y - 1}, {rising ? left : left - 1, y}))) {
       add_portal(y, below, above);
     }
     const bool leave_below = low.right <= high.right;
@@ -67,8 +67,7 @@ void Portals::add_portal(int y, std::uint32_t below, std::uint32_t above) {
                 kNoCorner,
                 kNoCorner};
   if (portal.left == portal.right) {
-    portal.left_corner =
-        corner_at(portal.left, y, id, BlockedCell::gap, low.right == portal.left);
+    portal.left_corner = corner_at(portal.left, y, id, BlockedCell::gap, low.right == portal.left);
     portal.right_corner = portal.left_corner;
   } else {
     if (low.left < high.left) {
@@ -96,8 +95,8 @@ std::uint32_t Portals::run_of(Cell cell) const {
   const auto row = static_cast<std::size_t>(cell.y);
   const auto begin = runs_.begin() + first_run_[row];
   const auto end = runs_.begin() + first_run_[row + 1];
-  const auto behind = std::upper_bound(
-      begin, end, cell.x, [](int x, const SightRun& run) { return x < run.left; });
+  const auto behind =
+      std::upper_bound(begin, end, cell.x, [](int x, const SightRun& run) { return x < run.left; });
   return static_cast<std::uint32_t>(behind - runs_.begin()) - 1;
 }
 
@@ -112,9 +111,8 @@ bool Portals::sees(Cell from, Cell to) const {
     const std::int64_t at = dx * up + (2 * std::int64_t{from.x} + 1) * dy;  // x times dy
     const auto begin = portals_.begin() + runs_[run].first_above;
     const auto end = portals_.begin() + end_above(run);
-    const auto found = std::partition_point(begin, end, [&](const Portal& portal) {
-      return 2 * std::int64_t{portal.right} * dy < at;
-    });
+    const auto found = std::partition_point(
+        begin, end, [&](const Portal& portal) { return 2 * std::int64_t{portal.right} * dy < at; });
     if (found == end || 2 * std::int64_t{found->left} * dy > at) return false;
     run = found->above;
   }

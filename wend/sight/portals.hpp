@@ -28,7 +28,8 @@ namespace wend {
 struct SightRun {
   int left;
   int right;
-  std::uint32_t first_below;  // its portals to row y - 1 are [first_below, first_below of the row's next run)
+  std::uint32_t
+      first_below;  // its portals to row y - 1 are [first_below, first_below of the row's next run)
   std::uint32_t first_above;  // the same to row y + 1
 };
 
@@ -36,8 +37,8 @@ struct SightRun {
 struct Portal {
   int left;
   int right;
-  std::uint32_t below;  // the run of row y - 1
-  std::uint32_t above;  // the run of row y
+  std::uint32_t below;         // the run of row y - 1
+  std::uint32_t above;         // the run of row y
   std::uint32_t left_corner;   // kNoCorner: the wall goes straight on, or ends both runs
   std::uint32_t right_corner;  // of a gap, the same as left_corner
 };

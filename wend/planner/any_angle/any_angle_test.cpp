@@ -39,9 +39,9 @@ int expect_shortest(const BitGrid& free, CornerRule rule, int starts, std::uint6
   }
   const FreeSpace space = *make_free_space(*make_grid_map(states));
   const auto planner = make_planner(space, ShortestAnyAngleOptions{.corner_rule = rule});
-  const test::Visibility visibility(
-      free.width(), free.height(), [&](Cell cell) { return free[cell]; },
-      rule == CornerRule::both);
+  test::Visibility visibility(
+      free.width(), free.height(), [&](Cell cell) { return free[cell]; }, rule == CornerRule::both);
+  visibility.join_corners();
   Random random(seed);
   int queries = 0;
   Plan plan;
@@ -55,9 +55,9 @@ int expect_shortest(const BitGrid& free, CornerRule rule, int starts, std::uint6
       ++queries;
       if (!is_wrong(**planner, visibility, start, goal, length, status, plan)) continue;
       ADD_FAILURE() << "from " << start.x << ',' << start.y << " to " << goal.x << ',' << goal.y
-                    << ": " << to_string(status) << ", cost " << plan.cost << ", expected " << length
-                    << ' ' << visibility.fault(plan.path.waypoints(), start, goal) << " seed "
-                    << seed << '\n'
+                    << ": " << to_string(status) << ", cost " << plan.cost << ", expected "
+                    << length << ' ' << visibility.fault(plan.path.waypoints(), start, goal)
+                    << " seed " << seed << '\n'
                     << test::drawing_of(space.map());
       return;
     }

@@ -60,8 +60,7 @@ class TautEngine::Watcher {
   SearchObserver& observer_;
 };
 
-TautEngine::TautEngine(FreeSpace space, Adjacency adjacency,
-                       std::shared_ptr<const Portals> portals)
+TautEngine::TautEngine(FreeSpace space, Adjacency adjacency, std::shared_ptr<const Portals> portals)
     : space_(std::move(space)),
       adjacency_(adjacency),
       search_(std::move(portals), space_.passable()) {}
@@ -95,9 +94,8 @@ SearchOutcome TautEngine::run() {
 
 OpenList TautEngine::open_list(std::size_t most) const {
   OpenList list;
-  list.count = search_.for_each_open(most, [&](TautSearch::Id id) {
-    list.entries.push_back({event(id), OpenTie::none});
-  });
+  list.count = search_.for_each_open(
+      most, [&](TautSearch::Id id) { list.entries.push_back({event(id), OpenTie::none}); });
   return list;
 }
 

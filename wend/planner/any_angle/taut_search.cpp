@@ -43,8 +43,7 @@ void TautSearch::find_goals(std::span<const GoalRegion> goals) {
 void TautSearch::look_around_goals() {
   for (std::size_t i = 0; i < goal_cells_.size(); ++i) {
     sweep_.from_cell(goal_cells_[i], [&](std::uint32_t corner, Ray ray) {
-      const double length =
-          std::sqrt(static_cast<double>(ray.x * ray.x + ray.y * ray.y)) / 2;
+      const double length = std::sqrt(static_cast<double>(ray.x * ray.x + ray.y * ray.y)) / 2;
       GoalInSight& sight = goals_in_sight_[corner];
       if (sight.generation == generation_ && sight.length <= length) return;
       sight = {length, static_cast<std::uint32_t>(i), generation_};

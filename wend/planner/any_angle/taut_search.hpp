@@ -74,8 +74,8 @@ class TautSearch {
   struct Node {
     double g = 0;
     Id parent = kNone;
-    std::uint32_t edge = kNone;      // by which it was reached, if from a corner
-    std::uint32_t generation = 0;    // of the search that reached it
+    std::uint32_t edge = kNone;    // by which it was reached, if from a corner
+    std::uint32_t generation = 0;  // of the search that reached it
     bool closed = false;
   };
 
@@ -123,8 +123,8 @@ class TautSearch {
   CornerSweep sweep_;
   const BitGrid* free_;
   Id corners_;
-  std::vector<Node> nodes_;                   // of corners, the start, goals
-  std::vector<GoalInSight> goals_in_sight_;   // of corners
+  std::vector<Node> nodes_;                  // of corners, the start, goals
+  std::vector<GoalInSight> goals_in_sight_;  // of corners
   std::uint32_t generation_ = 0;
   std::vector<Open> open_;  // a heap
   Cell start_{};
@@ -183,8 +183,7 @@ void TautSearch::reach(Id id, double g, Id parent, std::uint32_t edge, Watcher& 
   min_heap::push(open_, Open{g + h(id), g, id});
   if (!is_new) return watcher.on_relax(id);
   ++metrics_.generated;
-  metrics_.max_frontier =
-      std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
+  metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
   watcher.on_generate(id);
 }
 
@@ -217,7 +216,8 @@ void TautSearch::expand_corner(Id id, Watcher& watcher) {
   const TautCorner& at = corner(id);
   TautGraph::Edges ahead{};
   if (node.edge == kNone) {
-    const Ray ray{2 * std::int64_t{at.x} - 2 * start_.x - 1, 2 * std::int64_t{at.y} - 2 * start_.y - 1};
+    const Ray ray{2 * std::int64_t{at.x} - 2 * start_.x - 1,
+                  2 * std::int64_t{at.y} - 2 * start_.y - 1};
     ahead = graph_.ahead_of(id, ray);
   } else {
     const TautCorner& from = corner(node.parent);
