@@ -94,7 +94,9 @@ Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
       continue;
     }
     run.costs.emplace_back();
-    run.unsolved.push_back(fmt::format("query {}: {}: {}{}", i, to_string(status),
+    const Pose& start = query.start;
+    run.unsolved.push_back(fmt::format("query {} from ({},{},{:.2f} rad): {}: {}{}", i, start.x,
+                                       start.y, start.heading, to_string(status),
                                        (*planner)->reason(query, status),
                                        settings.exhaustive ? verdict(space, query, radius) : ""));
   }

@@ -43,7 +43,7 @@ constexpr const char* kExplainExamples = R"(Examples:
   wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6
   wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6 -o why.png
   wend explain grid.txt --start 0,0 --goal 9,9 --format json
-  wend explain office.yaml --planner hybrid_astar --start 2,2,E --goal 14,8,N --turning-radius 0.8
+  wend explain office.yaml --planner hybrid_astar --start 2,2,E --goal 14,8,any
 
 The picture shows the cells that can be reached from the start, the cells from
 which the goal can be reached, and the nearest free cell to a blocked end. The

@@ -17,7 +17,8 @@ using ::testing::HasSubstr;
 
 TEST(Footprint, GrownCoversEverythingWithinTheMarginAndLittleMore) {
   const Footprint box = *Footprint::polygon(*Polygon::make({{3, 2}, {-3, 2}, {-3, -2}, {3, -2}}));
-  const Polygon& grown = *box.grown(0.5).outline();
+  const Footprint larger = box.grown(0.5);
+  const Polygon& grown = *larger.outline();
   constexpr int kSteps = 48;
   for (int i = 0; i < kSteps; ++i) {
     const double angle = 2 * kPi * i / kSteps;

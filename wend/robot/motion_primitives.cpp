@@ -8,6 +8,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/segment.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -194,8 +195,8 @@ constexpr std::array<Cell, 16> kSixteenWays{{{1, 0},
                                              {1, -1},
                                              {2, -1}}};
 
-double angle_of(Cell way) { return std::atan2(way.y, way.x); }
-double length_of(Cell way) { return std::hypot(way.x, way.y); }
+double angle_of(Cell way) { return arc_tangent(way.y, way.x); }
+double length_of(Cell way) { return std::sqrt(way.x * way.x + way.y * way.y); }
 
 Pose moved_along(const Pose& pose, Cell way, double length) {
   const double scale = length / length_of(way);

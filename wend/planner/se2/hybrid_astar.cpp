@@ -37,8 +37,9 @@ PlannerInfo hybrid_astar_planner() {
           "each motion.",
       .citation = "Dolgov, Thrun, Montemerlo, Diebel 2010; Reeds, Shepp 1990",
       .guarantee_text =
-          "the path is free and drivable; it fails only if its finest boxes and motions find no "
-          "path, which may exist all the same; a path may cost some percent more than the best",
+          "the path is free and drivable; it fails only if its finest boxes and motions, and a "
+          "lattice of half cells, find no path, which may exist all the same; a path may cost some "
+          "percent more than the best",
       .time = "O(n log n) in the n poses expanded; the heuristic O(m) in the squares it reaches",
       .memory = "100 bytes per pose reached; for the map, 1/8 byte a cell and 10 a coarse square",
       .when =

@@ -195,18 +195,13 @@ std::uint64_t HybridPlanner::do_state_count() const {
 }
 
 /// What the last run has learned, if it was of this query.
-WhyNoDrive HybridPlanner::why_no_drive(const Query& query) const {
+NoDriveFound HybridPlanner::why_no_drive(const Query& query) const {
   const auto place = place_for(query.goals.front());
   const Cell start = cell_at(query.start.point());
-  if (place && !ground_->connected(start, cell_at(place->pose.point()))) return WhyNoDrive::parted;
-  if (!search_) return WhyNoDrive::none_leaves;
-  constexpr std::uint64_t kFew =
-      12'000;  // poses of all searches: their first two turns and the closer look
-  const bool few = search_->metrics().expanded <= kFew;
-  if (search_->goal_is_boxed_in()) {
-    return few ? WhyNoDrive::goal_boxed_in : WhyNoDrive::none_arrives;
+  if (place && !ground_->connected(start, cell_at(place->pose.point()))) {
+    return {NoDriveFound::Why::parted, {}};
   }
-  return few ? WhyNoDrive::start_boxed_in : WhyNoDrive::none_leaves;
+  return search_ ? search_->no_drive() : NoDriveFound{};
 }
 
 std::string HybridPlanner::do_reason(const Query& query, Status status) const {
@@ -223,8 +218,7 @@ std::string HybridPlanner::do_reason(const Query& query, Status status) const {
     case Status::goal_blocked:
       return reason_of_blocked_goal(free_space(), query);
     case Status::unreachable:
-      return reason_of_no_drive(why_no_drive(query), free_space(), query,
-                                resolution_for(free_space(), steering_, options_));
+      return reason_of_no_drive(why_no_drive(query), free_space(), query);
     default:
       return {};
   }

@@ -36,7 +36,7 @@ class HybridPlanner final : public Planner {
   std::optional<Error> do_update(const SpaceChange& change) override;
   void do_release() override;
 
-  WhyNoDrive why_no_drive(const Query& query) const;
+  NoDriveFound why_no_drive(const Query& query) const;
   std::optional<Status> take_goal(const Query& query, std::size_t index);
   std::optional<HybridGoal> place_for(const Goal& goal) const;
   std::optional<double> heading_at(Point point, const Goal& goal) const;

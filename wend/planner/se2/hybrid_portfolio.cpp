@@ -8,10 +8,11 @@ namespace {
 
 constexpr std::uint64_t kFirstTurn = 400;  // expansions
 constexpr std::uint64_t kGrowth = 3;       // of the turns
-constexpr std::uint64_t kFirstFlood = 500;
-constexpr std::size_t kMostBoxedIn = 5'000;   // poses around a goal that is boxed in
-constexpr std::uint64_t kMostFinest = 4'000;  // expansions of the last search
-constexpr double kNarrow = 0.75;              // room beside the robot, in steps
+constexpr std::uint64_t kFirstFlood = 1000;
+constexpr std::uint64_t kFloodGrowth = 4;
+constexpr int kFiner = 2;                          // than the other searches: fine
+constexpr std::uint64_t kMostOnLattice = 100'000;  // expansions of the last search
+constexpr double kNarrow = 0.75;                   // room beside the robot, in steps
 constexpr float kNarrowFactor = 4;
 
 }  // namespace
@@ -23,12 +24,13 @@ HybridPortfolio::HybridPortfolio(std::shared_ptr<const HybridGround> ground,
 HybridResolution HybridPortfolio::resolution_of(Kind kind) const {
   HybridResolution resolution = resolution_;
   if (kind < fine) return resolution;
-  const int finer = kind == fine ? 2 : 4;
-  resolution.position /= finer;
-  resolution.headings *= finer;
-  resolution.step /= finer;
-  resolution.trace_spacing *= 0.8 / finer;
+  resolution = times_finer(resolution, kFiner);
+  resolution.trace_spacing *= 0.4;
   resolution.trace_period = 2;
+  if (kind >= lattice) {
+    resolution.position = LatticeMotions::kSpacing;
+    resolution.headings = static_cast<int>(LatticeMotions::kHeadings);
+  }
   return resolution;
 }
 
@@ -42,11 +44,12 @@ void HybridPortfolio::make(Kind kind) {
   if (kind == wide) {
     member.grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
   }
-  const bool from_goal = kind == backward || kind == finest_backward;
+  const bool from_goal = kind == backward || kind == lattice_backward;
   const auto direction =
       from_goal ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
-  member.search = std::make_unique<HybridSearch>(ground_->check(), steering_, ring_, *member.grid,
-                                                 resolution, direction);
+  member.search =
+      std::make_unique<HybridSearch>(ground_->check(), steering_, ring_, *member.grid, resolution,
+                                     direction, kind >= lattice ? lattice_.get() : nullptr);
 }
 
 std::optional<SearchOutcome> HybridPortfolio::stopped(const Limits& limits, double end) const {
@@ -75,47 +78,89 @@ SearchOutcome HybridPortfolio::run_member(Kind kind, std::uint64_t most, const L
   return SearchOutcome::running;
 }
 
-/// Does the flood from the goal end?
-bool HybridPortfolio::flood(std::uint64_t most) {
-  if (!flood_) {
-    flood_ = std::make_unique<GoalFlood>(ground_->check(), steering_, resolution_);
+/// Does the flood end? A limit of the query ends its turn, and then the next search.
+bool HybridPortfolio::ends(PoseFlood& flood, std::uint64_t most, const Limits& limits, double end) {
+  constexpr std::uint64_t kAtOnce = 256;
+  for (std::uint64_t done = 0; done < most && !stopped(limits, end); done += kAtOnce) {
+    if (flood.run(kAtOnce)) return true;
   }
-  if (most == kFirstFlood) flood_->begin(goals_);
-  return flood_->run(most);
+  return false;
+}
+
+/// Does the flood at one of the ends end, too?
+bool HybridPortfolio::is_boxed_in(std::uint64_t most, const Limits& limits, double end) {
+  using Direction = PoseFlood::Direction;
+  using Why = NoDriveFound::Why;
+  if (!to_goal_) {
+    const MotionCheck& check = ground_->check();
+    to_goal_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::to_goal);
+    from_start_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::from_start);
+  }
+  if (most == kFirstFlood) {
+    to_goal_->begin(goals_);
+    from_start_->begin(start_);
+  }
+  if (ends(*to_goal_, most, limits, end)) {
+    no_drive_ = {to_goal_->is_small() ? Why::goal_boxed_in : Why::none_found,
+                 to_goal_->resolution()};
+    return true;
+  }
+  if (ends(*from_start_, most, limits, end)) {
+    no_drive_ = {from_start_->is_small() ? Why::start_boxed_in : Why::none_found,
+                 from_start_->resolution()};
+    return true;
+  }
+  return false;
+}
+
+/// Runs a search until its turn ends; returns the outcome of the query if it has one.
+std::optional<SearchOutcome> HybridPortfolio::take_turn(Kind kind, std::uint64_t most,
+                                                        const Limits& limits, double end) {
+  Member& member = members_[kind];
+  if (member.exhausted) return std::nullopt;
+  const SearchOutcome outcome = run_member(kind, most, limits, end);
+  if (member.search->has_path()) finder_ = member.search.get();
+  if (outcome == SearchOutcome::running) return std::nullopt;
+  if (outcome != SearchOutcome::exhausted) return outcome;
+  member.exhausted = true;
+  return std::nullopt;
+}
+
+void HybridPortfolio::begin(const Pose& start, std::span<const HybridGoal> goals,
+                            SearchObserver* observer) {
+  for (Member& member : members_) member.begun = member.exhausted = false;
+  finder_ = nullptr;
+  no_drive_ = {NoDriveFound::Why::none_found, resolution_of(fine)};
+  start_ = start;
+  goals_ = goals;
+  observer_ = observer;
 }
 
 SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal> goals,
                                    const Limits& limits, SearchObserver* observer) {
-  for (Member& member : members_) member.begun = member.exhausted = false;
+  begin(start, goals, observer);
   const bool one_pose = goals.size() == 1 && goals.front().wants_heading();
   members_[backward].exhausted = !one_pose;
-  finder_ = nullptr;
-  boxed_in_ = false;
-  start_ = start;
-  goals_ = goals;
-  observer_ = observer;
   const double end = limits.timed() ? limits.now() + limits.seconds : 0;
+  std::uint64_t turn = kFirstTurn;
   std::uint64_t flooded = kFirstFlood;
-  for (std::uint64_t turn = kFirstTurn;; turn *= kGrowth) {
+  bool boxed_in = false;
+  bool left = true;
+  while (left && !boxed_in) {
+    left = false;
     for (const Kind kind : {direct, backward, wide, fine}) {
-      Member& member = members_[kind];
-      if (member.exhausted) continue;
-      const SearchOutcome outcome = run_member(kind, turn, limits, end);
-      if (member.search->has_path()) finder_ = member.search.get();
-      if (outcome == SearchOutcome::running) continue;
-      if (outcome != SearchOutcome::exhausted) return outcome;
-      member.exhausted = true;
+      if (const auto outcome = take_turn(kind, turn, limits, end)) return *outcome;
+      left = left || !members_[kind].exhausted;
     }
-    const bool ended = !members_[fine].exhausted && flood(flooded);
-    boxed_in_ = ended && flood_->size() <= kMostBoxedIn;
-    if (ended || members_[fine].exhausted) {
-      const Kind last = ended && one_pose ? finest_backward : finest;
-      const SearchOutcome outcome = run_member(last, kMostFinest, limits, end);
-      if (members_[last].search->has_path()) finder_ = members_[last].search.get();
-      return outcome == SearchOutcome::running ? SearchOutcome::exhausted : outcome;
-    }
-    flooded *= kGrowth + 1;
+    boxed_in = is_boxed_in(flooded, limits, end);
+    turn *= kGrowth;
+    flooded *= kFloodGrowth;
   }
+  if (!lattice_) lattice_ = std::make_unique<LatticeMotions>(steering_);
+  if (lattice_->empty()) return SearchOutcome::exhausted;
+  const bool from_goal = one_pose && no_drive_.why == NoDriveFound::Why::goal_boxed_in;
+  return take_turn(from_goal ? lattice_backward : lattice, kMostOnLattice, limits, end)
+      .value_or(SearchOutcome::exhausted);
 }
 
 SearchMetrics HybridPortfolio::metrics() const {

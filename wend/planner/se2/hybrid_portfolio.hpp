@@ -8,9 +8,9 @@
 //   wide     a heuristic that avoids narrow places
 //   fine     smaller boxes and shorter motions
 //
-// A flood from the goal runs along with them: where the goal is boxed in, it ends soon. Once one of the two is at its
-// end, a fifth search looks closer still; only its end means that there is no path. The searches are made when they
-// are first needed.
+// Two floods run along with them: where the goal or the start is boxed in, one of them ends soon. If one has ended, or all
+// four searches have, a last search looks for a drive between the poses of a lattice, along and across the cells.
+// Then there is no path. Searches and floods are made when they are first needed.
 
 #include <array>
 #include <cstdint>
@@ -20,9 +20,10 @@
 #include <vector>
 
 #include "wend/base/limits.hpp"
-#include "wend/planner/se2/goal_flood.hpp"
 #include "wend/planner/se2/hybrid_ground.hpp"
 #include "wend/planner/se2/hybrid_search.hpp"
+#include "wend/planner/se2/no_drive_found.hpp"
+#include "wend/planner/se2/pose_flood.hpp"
 
 namespace wend {
 
@@ -44,10 +45,10 @@ class HybridPortfolio {
   double heuristic(const Pose& pose) const;
 
   /// What the last run without a path has learned.
-  bool goal_is_boxed_in() const { return boxed_in_; }
+  const NoDriveFound& no_drive() const { return no_drive_; }
 
  private:
-  enum Kind : std::size_t { direct, backward, wide, fine, finest, finest_backward };
+  enum Kind : std::size_t { direct, backward, wide, fine, lattice, lattice_backward };
   static constexpr std::size_t kKinds = 6;
 
   struct Member {
@@ -61,19 +62,25 @@ class HybridPortfolio {
   HybridResolution resolution_of(Kind kind) const;
   std::optional<SearchOutcome> stopped(const Limits& limits, double end) const;
   SearchOutcome run_member(Kind kind, std::uint64_t most, const Limits& limits, double end);
-  bool flood(std::uint64_t most);
+  std::optional<SearchOutcome> take_turn(Kind kind, std::uint64_t most, const Limits& limits,
+                                         double end);
+  void begin(const Pose& start, std::span<const HybridGoal> goals, SearchObserver* observer);
+  bool ends(PoseFlood& flood, std::uint64_t most, const Limits& limits, double end);
+  bool is_boxed_in(std::uint64_t most, const Limits& limits, double end);
 
   std::shared_ptr<const HybridGround> ground_;
   Steering steering_;
   HybridResolution resolution_;
   GoalRing ring_;
+  std::unique_ptr<LatticeMotions> lattice_;
   std::array<Member, kKinds> members_;
-  std::unique_ptr<GoalFlood> flood_;
+  std::unique_ptr<PoseFlood> to_goal_;
+  std::unique_ptr<PoseFlood> from_start_;
   const HybridSearch* finder_ = nullptr;
   Pose start_;
   std::span<const HybridGoal> goals_;
   SearchObserver* observer_ = nullptr;
-  bool boxed_in_ = false;
+  NoDriveFound no_drive_;
 };
 
 }  // namespace wend

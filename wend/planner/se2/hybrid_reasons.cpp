@@ -120,7 +120,7 @@ std::string searched_text(const FreeSpace& space, const HybridResolution& search
   return ", in boxes of " + length_text(space, searched.position) + ", " +
          std::to_string(searched.headings) + " headings and motions of " +
          length_text(space, searched.step) +
-         "; a finer search of some thousand poses found none either";
+         "; a search on a lattice of half cells and 16 headings found none either";
 }
 
 }  // namespace
@@ -152,34 +152,25 @@ std::string reason_of_blocked_goal(const FreeSpace& space, const Query& query) {
          why_blocked(space, pose).substr(1);
 }
 
-HybridResolution searched_resolution(WhyNoDrive why, HybridResolution first) {
-  if (why == WhyNoDrive::goal_boxed_in || why == WhyNoDrive::none_arrives) return first;
-  first.position /= 2;
-  first.headings *= 2;
-  first.step /= 2;
-  return first;
-}
-
-std::string reason_of_no_drive(WhyNoDrive why, const FreeSpace& space, const Query& query,
-                               const HybridResolution& first) {
+std::string reason_of_no_drive(const NoDriveFound& no_drive, const FreeSpace& space,
+                               const Query& query) {
   const std::string start = start_of(query);
   const std::string goal = goals_of(query);
-  const std::string searched = searched_text(space, searched_resolution(why, first));
-  switch (why) {
-    case WhyNoDrive::parted:
+  const std::string searched = searched_text(space, no_drive.searched);
+  switch (no_drive.why) {
+    case NoDriveFound::Why::parted:
       return "no drive leads from " + start + " to " + goal + ": obstacles part them" +
              (space.is_point() ? std::string()
                                : ", even for the largest disc within the robot, with a radius of " +
                                      length_text(space, space.inscribed_radius_in_cells()));
-    case WhyNoDrive::goal_boxed_in:
+    case NoDriveFound::Why::goal_boxed_in:
       return (query.goals.size() == 1
                   ? goal
                   : "each of the " + std::to_string(query.goals.size()) + " goals") +
              " is boxed in: no drive reaches it from farther away" + searched;
-    case WhyNoDrive::start_boxed_in:
+    case NoDriveFound::Why::start_boxed_in:
       return start + " is boxed in: no drive leads away from it" + searched;
-    case WhyNoDrive::none_arrives:
-    case WhyNoDrive::none_leaves:
+    case NoDriveFound::Why::none_found:
       return "no drive leads from " + start + " to " + goal + searched;
   }
   return {};

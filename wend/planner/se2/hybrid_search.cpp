@@ -36,11 +36,12 @@ bool faces_away(const Pose& from, const Pose& to) {
 
 HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, const GoalRing& ring,
                            const CoarseGrid& grid, const HybridResolution& resolution,
-                           Direction direction)
+                           Direction direction, const LatticeMotions* lattice)
     : check_(check),
       steering_(steering),
       grid_(grid),
       direction_(direction),
+      lattice_(lattice),
       resolution_(resolution),
       turning_(steering),
       ring_(ring),
@@ -155,6 +156,12 @@ void HybridSearch::expand(Index node) {
   for (const HybridGoal& goal : goals_) {
     if (goal.accepts(nodes_[node].pose)) offer_goal(node, goal);
   }
+  if (lattice_ != nullptr) {
+    if (nodes_[node].h < 4 * steering_.radius() + resolution_.step) try_goals(node);
+    if (node == 0) join_lattice(node);
+    if (node != 0) expand_on_lattice(node);
+    return;
+  }
   const bool due = nodes_[node].traced || nodes_[node].age >= resolution_.trace_period;
   if (due) {
     nodes_[node].age = 0;
@@ -170,6 +177,34 @@ void HybridSearch::expand_primitives(Index node) {
   for (const Motion& primitive : steering_.primitives()) {
     const Motion motion = steering_.scaled(primitive, step);
     if (const auto cost = drive(node, {&motion, 1}, kNoWay)) add(node, {&motion, 1}, *cost, false);
+  }
+}
+
+/// Connects the start to the poses of the lattice around it.
+void HybridSearch::join_lattice(Index node) {
+  const Pose start = nodes_[node].pose;
+  seen_[start] = kNone;
+  const Pose middle = lattice_->nearest(start);
+  constexpr int kAround = 6;  // poses of the lattice to each side
+  for (int dx = -kAround; dx <= kAround; ++dx) {
+    for (int dy = -kAround; dy <= kAround; ++dy) {
+      for (std::size_t heading = 0; heading < LatticeMotions::kHeadings; ++heading) {
+        connect_to(node,
+                   lattice_->pose(middle.x + dx * LatticeMotions::kSpacing,
+                                  middle.y + dy * LatticeMotions::kSpacing, heading),
+                   2, true);
+      }
+    }
+  }
+}
+
+void HybridSearch::expand_on_lattice(Index node) {
+  const Pose from = nodes_[node].pose;
+  for (const LatticeMotions::Step& step : lattice_->steps(lattice_->heading_of(from))) {
+    const Pose to = lattice_->after(from, step);
+    if (const auto cost = drive(node, step.motions, kNoWay)) {
+      add(node, step.motions, *cost, false, &to);
+    }
   }
 }
 
@@ -195,13 +230,15 @@ std::optional<double> HybridSearch::drive(Index node, std::span<const Motion> mo
 }
 
 /// Adds the pose at the end of some motions, unless its box has one that is as good.
-bool HybridSearch::add(Index parent, std::span<const Motion> motions, double cost, bool traced) {
+bool HybridSearch::add(Index parent, std::span<const Motion> motions, double cost, bool traced,
+                       const Pose* exactly) {
   const Node from = nodes_[parent];
   Node node = from;
   for (const Motion& motion : motions) {
     node.pose = pose_after(node.pose, motion);
     if (const int gear = gear_of(motion); gear != 0) node.gear = gear;
   }
+  if (exactly != nullptr) node.pose = *exactly;
   node.g = from.g + cost;
   if (node.g >= best_cost_) return false;
   const CostField::Value h = estimate(node.pose);
@@ -278,7 +315,7 @@ void HybridSearch::connect_trace(Index node) {
 }
 
 /// Adds the pose, by the cheapest of some connections that the robot can drive.
-bool HybridSearch::connect_to(Index node, const Pose& to, std::size_t words) {
+bool HybridSearch::connect_to(Index node, const Pose& to, std::size_t words, bool exactly) {
   const Node& from = nodes_[node];
   const bool far = straight_distance(from.pose.point(), to.point()) > 4 * steering_.radius();
   const double bound = best_cost_ - from.g;
@@ -290,7 +327,7 @@ bool HybridSearch::connect_to(Index node, const Pose& to, std::size_t words) {
     const Connection& connection = all[static_cast<std::size_t>(i)];
     if (connection.count == 0) continue;
     if (const auto cost = drive(node, connection.all(), bound)) {
-      return add(node, connection.all(), *cost, true);
+      return add(node, connection.all(), *cost, true, exactly ? &to : nullptr);
     }
   }
   return false;

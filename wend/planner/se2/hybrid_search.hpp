@@ -24,6 +24,7 @@
 #include "wend/search/search_outcome.hpp"
 #include "wend/space/se2/cost_field.hpp"
 #include "wend/space/se2/goal_ring.hpp"
+#include "wend/space/se2/lattice_motions.hpp"
 #include "wend/space/se2/motion_check.hpp"
 #include "wend/space/se2/steering.hpp"
 #include "wend/space/se2/turning_cost.hpp"
@@ -39,7 +40,8 @@ class HybridSearch {
   /// All but the resolution must outlive the search.
   HybridSearch(const MotionCheck& check, const Steering& steering, const GoalRing& ring,
                const CoarseGrid& grid, const HybridResolution& resolution,
-               Direction direction = Direction::from_start);
+               Direction direction = Direction::from_start,
+               const LatticeMotions* lattice = nullptr);
 
   /// Begins a query. The goals and the observer (may be null) must outlive the search. A search from the goal needs
   /// one goal with a heading.
@@ -100,14 +102,17 @@ class HybridSearch {
   void expand_primitives(Index node);
   void expand_trace(Index node);
   void connect_trace(Index node);
-  bool connect_to(Index node, const Pose& to, std::size_t words);
+  bool connect_to(Index node, const Pose& to, std::size_t words, bool exactly = false);
   Pose pose_on_trace(std::size_t i) const;
   Pose centred(const Pose& pose) const;
   double follow_descent(Point from);
   void try_goals(Index node);
   bool try_goal(Index node, const HybridGoal& goal);
   std::optional<double> drive(Index node, std::span<const Motion> motions, double limit);
-  bool add(Index parent, std::span<const Motion> motions, double cost, bool traced);
+  void expand_on_lattice(Index node);
+  void join_lattice(Index node);
+  bool add(Index parent, std::span<const Motion> motions, double cost, bool traced,
+           const Pose* exactly = nullptr);
   void offer_goal(Index node, const HybridGoal& goal);
   void tell(const Node& node, bool again);
 
@@ -115,6 +120,7 @@ class HybridSearch {
   const Steering& steering_;
   const CoarseGrid& grid_;
   Direction direction_;
+  const LatticeMotions* lattice_;
   HybridGoal start_as_goal_;
   HybridResolution resolution_;
   TurningCost turning_;

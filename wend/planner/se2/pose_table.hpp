@@ -24,6 +24,12 @@ class PoseTable {
     count_ = 0;
     ++round_;
   }
+  /// The same, for boxes of another size.
+  void clear(double size, int headings) {
+    size_ = size;
+    headings_ = headings;
+    clear();
+  }
 
   /// The node of the box of a pose, for reading and writing; kNone if there is none. Valid until the next call.
   std::uint32_t& operator[](const Pose& pose) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPiece = 1;        // cells
 constexpr double kShortest = 0.05;  // cells: a disc that is as near as this is decided exactly
-constexpr double kSure = 0.02;      // cells that a polygon keeps from obstacles where it turns
+constexpr double kSure = 0.004;     // cells that a polygon keeps from obstacles where it turns
 
 /// How far FreeSpace has distances at hand: as far as the robot's radius and its clearance cost need them.
 std::uint32_t known_distance(const FreeSpace& space) {

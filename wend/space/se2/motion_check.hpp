@@ -31,7 +31,7 @@ inline double driving_multiplier(const FreeSpace& space, Cell cell) {
 class MotionCheck {
  public:
   static constexpr double kBlocked = std::numeric_limits<double>::infinity();
-  static constexpr double kMargin = 0.1;  // cells
+  static constexpr double kMargin = 0.02;  // cells
 
   /// Keeps a copy of the space.
   explicit MotionCheck(const FreeSpace& space);
