@@ -72,7 +72,7 @@ class Trail {
   void cross(const Portal& portal, int x) {
     const bool up = run_ == portal.below;
     const std::uint32_t next = up ? portal.above : portal.below;
-    int here = std::clamp(x, portal.left, portal.right - 1);
+    int here = std::max(portal.left, std::min(x, portal.right - 1));
     int there = here;
     if (portal.left == portal.right) {  // a gap
       const bool from_left = portals_.run(run_).right == portal.left;
@@ -102,13 +102,12 @@ void write_trail(const Portals& portals, Cell start, std::span<const std::uint32
                  Cell goal, std::vector<Cell>& cells) {
   Trail trail(portals, start, cells);
   HalfCells at = centre(start);
-  for (const std::uint32_t id : corners) {
-    const TautCorner& corner = portals.corners()[id];
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const TautCorner& corner = portals.corners()[corners[i]];
     trail.follow(at, vertex(corner));
     at = vertex(corner);
-    // Where it goes from here is known with the next point.
-    const bool last = &id == &corners.back();
-    trail.leave(corner, last ? centre(goal) : vertex(portals.corners()[(&id)[1]]));
+    const bool is_last = i + 1 == corners.size();
+    trail.leave(corner, is_last ? centre(goal) : vertex(portals.corners()[corners[i + 1]]));
   }
   trail.follow(at, centre(goal));
   trail.end_at(goal);

@@ -3,7 +3,7 @@
 // CornerSweep: the corners of Portals that a cell or a corner sees, and at which a shortest path from it can turn.
 //
 //   wend::CornerSweep sweep(portals);
-//   sweep.from_cell({3, 4}, [&](std::uint32_t corner, wend::Ray ray) { reach(corner, ray); });
+//   sweep.from_cell({0, 3}, [&](std::uint32_t corner, wend::Ray ray) { see(corner, ray); });
 //
 // Of several corners on one ray only the first is told: the others are reached through it. A corner is told only
 // where the ray is tangent to its obstacle: else a path that turns there is not the shortest. Seen from a corner,
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "wend/sight/portals.hpp"
@@ -37,24 +38,32 @@ class CornerSweep {
   void from_cell(Cell cell, Tell&& tell) {
     const std::uint32_t run = portals_->run_of(cell);
     const std::int64_t x = 2 * std::int64_t{cell.x} + 1;
-    sweep(Side::above, {run, 1, {-kFar, 1}, {kFar, 1}, false, false}, x, tell);
-    sweep(Side::below, {run, 1, {-kFar, 1}, {kFar, 1}, false, false}, x, tell);
+    const Cone all{run, 1, {-kFar, 1}, {kFar, 1}, false, false};
+    sweep<Side::above>(all, {x, cell.y}, tell, SeeNothing{});
+    sweep<Side::below>(all, {x, cell.y}, tell, SeeNothing{});
   }
 
   /// The same from a corner.
   template <class Tell>
   void from_corner(std::uint32_t id, Tell&& tell) {
+    from_corner(id, tell, SeeNothing{});
+  }
+
+  /// And calls see(y, first x, last x) for cells of a row from which from_cell() tells this corner: for each of them at
+  /// least once.
+  template <class Tell, class See>
+  void from_corner(std::uint32_t id, Tell&& tell, See&& see) {
     const TautCorner& corner = portals_->corners()[id];
     const Portal& portal = portals_->portal(corner.portal);
-    const std::int64_t x = 2 * std::int64_t{corner.x};
+    const Viewer viewer{2 * std::int64_t{corner.x}, corner.y};
     const Cone to_right{0, 2, {0, 1}, {kFar, 1}, false, false};
     const Cone to_left{0, 2, {-kFar, 1}, {0, 1}, false, false};
     Cone up = corner.rising ? to_right : to_left;
     Cone down = corner.rising ? to_left : to_right;
     up.run = portal.above;
     down.run = portal.below;
-    sweep(Side::above, up, x, tell);
-    sweep(Side::below, down, x, tell);
+    sweep<Side::above>(up, viewer, tell, see);
+    sweep<Side::below>(down, viewer, tell, see);
     along_the_row(corner, id, tell);
   }
 
@@ -63,6 +72,16 @@ class CornerSweep {
   static constexpr std::int64_t kFar = std::int64_t{1} << 31;
 
   enum class Side : bool { below, above };
+
+  struct SeeNothing {
+    void operator()(int, int, int) const {}
+  };
+
+  /// Who looks: its x in half cells, and the row that begins at it or contains it.
+  struct Viewer {
+    std::int64_t x;
+    int y;
+  };
 
   /// What is seen of a run: between two rays, both included, that end on its far side. Their y counts away from the
   /// point that looks, upwards or downwards.
@@ -80,28 +99,54 @@ class CornerSweep {
     return x * ray.y - ray.x * away;
   }
 
-  template <class Tell>
-  void sweep(Side side, const Cone& first, std::int64_t x0, Tell& tell) {
+  template <Side kSide, class Tell, class See>
+  void sweep(const Cone& first, Viewer viewer, Tell& tell, const See& see) {
     cones_.assign(1, first);
     while (!cones_.empty()) {
       const Cone cone = cones_.back();
       cones_.pop_back();
-      pass(side, cone, x0, tell);
+      if constexpr (!std::is_same_v<See, SeeNothing>) show_cells<kSide>(cone, viewer, see);
+      pass<kSide>(cone, viewer.x, tell);
     }
   }
 
-  /// Clips a cone to each portal on the far side of its run.
-  template <class Tell>
-  void pass(Side side, const Cone& cone, std::int64_t x0, Tell& tell) {
-    const bool up = side == Side::above;
+  /// The cells of a cone's run whose centres lie in it, but not on a ray on which a corner has been told.
+  template <Side kSide, class See>
+  void show_cells(const Cone& cone, Viewer viewer, const See& see) const {
     const SightRun& run = portals_->run(cone.run);
-    const std::uint32_t end = up ? portals_->end_above(cone.run) : portals_->end_below(cone.run);
-    for (std::uint32_t id = first_seen(cone, up ? run.first_above : run.first_below, end, x0);
+    const std::int64_t away = cone.away - 1;
+    // Cell c lies at 2 c + 1 - viewer.x.
+    const auto before = [&](Ray ray, bool strictly) {  // how many cells lie left of a ray
+      const std::int64_t twice = 2 * ray.y;
+      const std::int64_t at = ray.x * away + (viewer.x - 1) * ray.y;
+      const std::int64_t whole = floor_of(at, twice);
+      return strictly && whole * twice == at ? whole : whole + 1;
+    };
+    const std::int64_t first = before(cone.left, !cone.left_told);
+    const std::int64_t end = before(cone.right, cone.right_told);
+    const int left = static_cast<int>(std::max<std::int64_t>(first, run.left));
+    const int right = static_cast<int>(std::min<std::int64_t>(end, run.right));
+    const auto rows = static_cast<int>(cone.away / 2);
+    if (left < right)
+      see(kSide == Side::above ? viewer.y + rows - 1 : viewer.y - rows, left, right - 1);
+  }
+
+  static std::int64_t floor_of(std::int64_t number, std::int64_t divisor) {
+    return number / divisor - (number % divisor < 0 ? 1 : 0);
+  }
+
+  /// Clips a cone to each portal on the far side of its run.
+  template <Side kSide, class Tell>
+  void pass(const Cone& cone, std::int64_t x0, Tell& tell) {
+    constexpr bool kUp = kSide == Side::above;
+    const SightRun& run = portals_->run(cone.run);
+    const std::uint32_t end = kUp ? portals_->end_above(cone.run) : portals_->end_below(cone.run);
+    for (std::uint32_t id = first_seen(cone, kUp ? run.first_above : run.first_below, end, x0);
          id < end; ++id) {
       const Portal& portal = portals_->portal(id);
       const std::int64_t x = 2 * std::int64_t{portal.left} - x0;
       if (side_of(x, cone.away, cone.right) > 0) return;
-      pass(side, cone, portal, x0, tell);
+      pass<kSide>(cone, portal, x0, tell);
     }
   }
 
@@ -124,24 +169,24 @@ class CornerSweep {
     return first;
   }
 
-  template <class Tell>
-  void pass(Side side, const Cone& cone, const Portal& portal, std::int64_t x0, Tell& tell) {
-    const bool up = side == Side::above;
+  template <Side kSide, class Tell>
+  void pass(const Cone& cone, const Portal& portal, std::int64_t x0, Tell& tell) {
+    constexpr bool kUp = kSide == Side::above;
     const Ray left{2 * std::int64_t{portal.left} - x0, cone.away};
     const Ray right{2 * std::int64_t{portal.right} - x0, cone.away};
     const std::int64_t left_in = side_of(left.x, cone.away, cone.left);
     const std::int64_t right_in = -side_of(right.x, cone.away, cone.right);
-    Cone next{up ? portal.above : portal.below, cone.away + 2,
-              left_in > 0 ? left : cone.left,   right_in > 0 ? right : cone.right,
-              left_in <= 0 && cone.left_told,   right_in <= 0 && cone.right_told};
+    Cone next{kUp ? portal.above : portal.below, cone.away + 2,
+              left_in > 0 ? left : cone.left,    right_in > 0 ? right : cone.right,
+              left_in <= 0 && cone.left_told,    right_in <= 0 && cone.right_told};
     const auto told_on = [&](std::int64_t x) {
       return (cone.left_told && side_of(x, cone.away, cone.left) == 0) ||
              (cone.right_told && side_of(x, cone.away, cone.right) == 0);
     };
     const auto told = [&](std::uint32_t corner, Ray ray) {
       if (corner == Portals::kNoCorner || told_on(ray.x)) return false;
-      if (!is_tangent(portals_->corners()[corner].blocked_cell(), up, ray.x)) return false;
-      tell(corner, Ray{ray.x, up ? ray.y : -ray.y});
+      if (!is_tangent(portals_->corners()[corner].blocked_cell(), kUp, ray.x)) return false;
+      tell(corner, Ray{ray.x, kUp ? ray.y : -ray.y});
       return true;
     };
     if (left_in >= 0 && told(portal.left_corner, left)) next.left_told = true;

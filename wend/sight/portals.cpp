@@ -7,7 +7,7 @@
 
 namespace wend {
 
-Portals::Portals(const BitGrid& free, const OpenGap& open_gap) {
+Portals::Portals(const BitGrid& free, const OpenGap& open_gap) : width_(free.width()) {
   first_run_.reserve(static_cast<std::size_t>(free.height()) + 1);
   for (int y = 0; y < free.height(); ++y) {
     first_run_.push_back(static_cast<std::uint32_t>(runs_.size()));

@@ -71,6 +71,8 @@ class Portals {
   /// No gap is open if `open_gap` is empty.
   explicit Portals(const BitGrid& free, const OpenGap& open_gap = {});
 
+  int width() const { return width_; }
+  int height() const { return static_cast<int>(first_run_.size()) - 1; }
   std::span<const TautCorner> corners() const { return corners_; }
   const SightRun& run(std::uint32_t id) const { return runs_[id]; }
   const Portal& portal(std::uint32_t id) const { return portals_[id]; }
@@ -91,6 +93,7 @@ class Portals {
   void join_rows(int y, const OpenGap& open_gap);
   void add_portal(int y, std::uint32_t below, std::uint32_t above);
 
+  int width_;
   std::vector<std::uint32_t> first_run_;  // of each row, and one past the last
   std::vector<SightRun> runs_;            // and one past the last
   std::vector<Portal> portals_;

@@ -43,30 +43,42 @@ TautGraph::TautGraph(std::shared_ptr<const Portals> portals)
     : portals_(std::move(portals)), sweep_(*portals_), fans_(portals_->corners().size()) {}
 
 const TautGraph::Fan& TautGraph::fan(std::uint32_t corner) {
-  Fan& fan = fans_[corner];
-  if (fan.begin != kUnknown) return fan;
+  if (fans_[corner].begin == kUnknown) learn(corner, [](int, int, int) {});
+  return fans_[corner];
+}
+
+void TautGraph::begin_fan() {
   high_.clear();
   low_.clear();
-  const TautCorner& at = portals_->corners()[corner];
-  sweep_.from_corner(corner, [&](std::uint32_t other, Ray ray) {
-    (is_high(at, ray) ? high_ : low_).push_back({other, ray});
-  });
-  const auto counterclockwise = [](const Seen& a, const Seen& b) {
-    return cross(a.ray, b.ray) > 0;
-  };
-  const auto append = [this](const std::vector<Seen>& seen) {
+}
+
+void TautGraph::take(std::uint32_t corner, std::uint32_t other, Ray ray) {
+  (is_high(portals_->corners()[corner], ray) ? high_ : low_).push_back({other, ray});
+}
+
+void TautGraph::end_fan(std::uint32_t corner) {
+  const auto append = [this](std::vector<Seen>& seen) {
+    std::ranges::sort(seen, [](const Seen& a, const Seen& b) { return cross(a.ray, b.ray) > 0; });
     for (const auto& [other, ray] : seen) {
       edges_.push_back({other, kUnknown, 0, length_of(ray)});
     }
     return static_cast<std::uint32_t>(edges_.size());
   };
-  std::ranges::sort(high_, counterclockwise);
-  std::ranges::sort(low_, counterclockwise);
+  Fan& fan = fans_[corner];
   fan.begin = static_cast<std::uint32_t>(edges_.size());
   fan.middle = append(high_);
   fan.end = append(low_);
   ++known_;
-  return fan;
+}
+
+void TautGraph::learn_ahead() {
+  for (std::uint32_t corner = 0; corner < fans_.size(); ++corner) {
+    for (std::uint32_t id = fans_[corner].begin; id < fans_[corner].end; ++id) {
+      const Edges found = ahead_in(fans_[edges_[id].to], edges_[id].to, ray_of(corner, edges_[id]));
+      edges_[id].begin = found.begin;
+      edges_[id].end = found.end;
+    }
+  }
 }
 
 Ray TautGraph::ray_of(std::uint32_t from, const Edge& edge) const {
@@ -76,8 +88,11 @@ Ray TautGraph::ray_of(std::uint32_t from, const Edge& edge) const {
 }
 
 TautGraph::Edges TautGraph::ahead_of(std::uint32_t corner, Ray ray) {
+  return ahead_in(fan(corner), corner, ray);
+}
+
+TautGraph::Edges TautGraph::ahead_in(const Fan& all, std::uint32_t corner, Ray ray) const {
   const TautCorner& at = portals_->corners()[corner];
-  const Fan& all = fan(corner);
   const bool high = is_high(at, ray);
   const std::uint32_t begin = high ? all.begin : all.middle;
   const std::uint32_t end = high ? all.middle : all.end;

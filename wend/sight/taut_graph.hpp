@@ -4,8 +4,8 @@
 // each other, and the line is tangent to both. It looks around a corner when somebody first asks for its edges, and
 // keeps what it found.
 //
-//   const wend::TautGraph::Edges ahead = graph.ahead(graph.edge(arrived_by));
-//   for (std::uint32_t i = ahead.begin; i < ahead.end; ++i) reach(graph.edge(i).to, graph.edge(i).length);
+//   const wend::TautGraph::Edges ahead = graph.ahead_of(corner, ray);
+//   for (std::uint32_t i = ahead.begin; i < ahead.end; ++i) reach(graph.edge(i));
 //
 // A shortest path that turns at a corner bends around its obstacle. So of the edges of a corner it can only take
 // those that lie ahead of the edge by which it came, on that side. They are consecutive, because the edges of a
@@ -50,8 +50,28 @@ class TautGraph {
   /// Are those of an edge known to be none? Then a path that came along it can only end.
   bool is_known_end(const Edge& edge) const { return edge.begin == edge.end; }
 
+  /// How many edges are known.
+  std::size_t edges() const { return edges_.size(); }
   /// How many corners have been looked at.
   std::size_t known() const { return known_; }
+
+  /// Looks at a corner, and calls see() as CornerSweep::from_corner() does. Once for each corner, if for one.
+  template <class See>
+  void learn(std::uint32_t corner, See&& see) {
+    begin_fan();
+    sweep_.from_corner(
+        corner, [&](std::uint32_t other, Ray ray) { take(corner, other, ray); }, see);
+    end_fan(corner);
+  }
+  /// Finds what lies ahead of every edge, once every corner has been looked at. Then the rest can be asked by many
+  /// threads.
+  void learn_ahead();
+  Edges known_ahead(std::uint32_t edge_id) const {
+    return {edges_[edge_id].begin, edges_[edge_id].end};
+  }
+  Edges known_ahead_of(std::uint32_t corner, Ray ray) const {
+    return ahead_in(fans_[corner], corner, ray);
+  }
 
  private:
   static constexpr std::uint32_t kUnknown = UINT32_MAX;
@@ -69,6 +89,10 @@ class TautGraph {
   };
 
   const Fan& fan(std::uint32_t corner);
+  void begin_fan();
+  void take(std::uint32_t corner, std::uint32_t other, Ray ray);
+  void end_fan(std::uint32_t corner);
+  Edges ahead_in(const Fan& fan, std::uint32_t corner, Ray ray) const;
   Ray ray_of(std::uint32_t from, const Edge& edge) const;
 
   std::shared_ptr<const Portals> portals_;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "wend/planner/any_angle/any_angle_options.hpp"
-#include "wend/planner/any_angle/prepared_portals.hpp"
+#include "wend/planner/any_angle/prepared_sight.hpp"
 #include "wend/planner/any_angle/taut_engine.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 
@@ -18,9 +18,8 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const ShortestAnyAngleOp
   const double bound = space.is_point() ? 1 : Plan::kNoBound;
   if (!space.uniform_terrain()) return {moves, nullptr, bound, true};
   const Adjacency adjacency = moves.adjacency();
-  return {moves,
-          std::make_unique<TautEngine>(space, adjacency, PreparedPortals::of(space, adjacency)),
-          bound, true};
+  return {moves, std::make_unique<TautEngine>(space, adjacency, PreparedSight::of(space)), bound,
+          true};
 }
 
 }  // namespace

@@ -60,10 +60,13 @@ class TautEngine::Watcher {
   SearchObserver& observer_;
 };
 
-TautEngine::TautEngine(FreeSpace space, Adjacency adjacency, std::shared_ptr<const Portals> portals)
+TautEngine::TautEngine(FreeSpace space, Adjacency adjacency,
+                       std::shared_ptr<PreparedSight> prepared)
     : space_(std::move(space)),
       adjacency_(adjacency),
-      search_(std::move(portals), space_.passable()) {}
+      prepared_(std::move(prepared)),
+      portals_(prepared_->portals(space_, adjacency_)),
+      search_(portals_, space_.passable()) {}
 
 template <class Action>
 void TautEngine::watched(Action&& action) {
@@ -77,6 +80,9 @@ void TautEngine::watched(Action&& action) {
 void TautEngine::begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
                        SearchObserver* observer) {
   observer_ = observer;
+  if (!search_.knows_all()) {
+    if (auto map = prepared_->map(portals_, search_.take_looks())) search_.learn(std::move(map));
+  }
   watched([&](auto&& watcher) { search_.begin(start, goals, limits, watcher); });
 }
 
@@ -125,7 +131,7 @@ void TautEngine::write_path(Path& path) const {
   TautSearch::Id id = search_.goal();
   Point last = search_.point(id);
   path.go_to(last);
-  if (search_.cell(id) == search_.cell_of_start()) return;
+  if (search_.is_start(id)) return;
   for (id = search_.parent(id); !search_.is_start(id); id = search_.parent(id)) {
     const Point here = search_.point(id);
     if (goes_straight_on(last, here, search_.point(search_.parent(id)))) continue;

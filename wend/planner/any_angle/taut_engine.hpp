@@ -8,13 +8,14 @@
 #include <span>
 #include <vector>
 
+#include "wend/planner/any_angle/prepared_sight.hpp"
 #include "wend/planner/any_angle/taut_search.hpp"
 
 namespace wend {
 
 class TautEngine final : public GridEngine {
  public:
-  TautEngine(FreeSpace space, Adjacency adjacency, std::shared_ptr<const Portals> portals);
+  TautEngine(FreeSpace space, Adjacency adjacency, std::shared_ptr<PreparedSight> prepared);
 
   bool allocated() const override { return true; }
   void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
@@ -37,6 +38,8 @@ class TautEngine final : public GridEngine {
 
   FreeSpace space_;
   Adjacency adjacency_;
+  std::shared_ptr<PreparedSight> prepared_;
+  std::shared_ptr<const Portals> portals_;
   TautSearch search_;
   SearchObserver* observer_ = nullptr;
 };

@@ -7,12 +7,36 @@
 namespace wend {
 
 TautSearch::TautSearch(std::shared_ptr<const Portals> portals, const BitGrid& free)
-    : graph_(std::move(portals)),
-      sweep_(graph_.portals()),
+    : portals_(std::move(portals)),
+      learned_(portals_),
+      graph_(&*learned_),
+      sweep_(*portals_),
       free_(&free),
-      corners_(static_cast<Id>(graph_.portals().corners().size())),
+      corners_(static_cast<Id>(portals_->corners().size())),
       nodes_(std::size_t{corners_} + 2),
       goals_in_sight_(corners_) {}
+
+void TautSearch::learn(std::shared_ptr<const TautMap> map) {
+  map_ = std::move(map);
+  graph_ = &map_->graph();
+  learned_.reset();
+}
+
+std::uint64_t TautSearch::take_looks() {
+  const std::uint64_t all = looks_ + (learned_ ? learned_->known() : 0);
+  return all - std::exchange(counted_, all);
+}
+
+TautGraph::Edges TautSearch::ahead_of(Id id, const Node& node) {
+  if (node.edge == kNone) {
+    const Ray ray = ray_to(id, start_);
+    return map_ != nullptr ? graph_->known_ahead_of(id, ray) : learned_->ahead_of(id, ray);
+  }
+  if (map_ != nullptr) return graph_->known_ahead(node.edge);
+  const TautCorner& at = corner(id);
+  const TautCorner& from = corner(node.parent);
+  return learned_->ahead(node.edge, {std::int64_t{at.x} - from.x, std::int64_t{at.y} - from.y});
+}
 
 void TautSearch::begin_generation() {
   if (generation_ == std::numeric_limits<std::uint32_t>::max()) {
@@ -42,8 +66,7 @@ void TautSearch::find_goals(std::span<const GoalRegion> goals) {
 
 void TautSearch::look_around_goals() {
   for (std::size_t i = 0; i < goal_cells_.size(); ++i) {
-    sweep_.from_cell(goal_cells_[i], [&](std::uint32_t corner, Ray ray) {
-      const double length = std::sqrt(static_cast<double>(ray.x * ray.x + ray.y * ray.y)) / 2;
+    look_around(goal_cells_[i], [&](std::uint32_t corner, double length) {
       GoalInSight& sight = goals_in_sight_[corner];
       if (sight.generation == generation_ && sight.length <= length) return;
       sight = {length, static_cast<std::uint32_t>(i), generation_};

@@ -3,14 +3,15 @@
 // TautSearch: A* on the corners of a map, from one cell to the nearest of some others: finds the shortest path of a
 // point at any angle. Its states are the start, corners, and the goals.
 //
-// What starts and goals see of the map is looked up once in each query, what a corner sees once in all of them
-// (TautGraph). A path goes on from a corner only as taut ones do. From a corner at which all such ways are known to
-// end, it goes on only to a goal.
+// At first it looks around starts and goals in each query, and around a corner once in all of them (TautGraph). When it
+// has a TautMap, it looks all of that up. A path goes on from a corner only as taut ones do. From a corner at which all
+// such ways are known to end, it goes on only to a goal. The paths are the same with a map and without.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "wend/search/limit_check.hpp"
 #include "wend/search/min_heap.hpp"
 #include "wend/sight/taut_graph.hpp"
+#include "wend/sight/taut_map.hpp"
 
 namespace wend {
 
@@ -36,6 +38,12 @@ class TautSearch {
 
   explicit TautSearch(std::shared_ptr<const Portals> portals, const BitGrid& free);
 
+  /// From the next search on, with what is known of the same portals.
+  void learn(std::shared_ptr<const TautMap> map);
+  bool knows_all() const { return map_ != nullptr; }
+  /// How often it has looked around a cell or a corner since it was last asked.
+  std::uint64_t take_looks();
+
   template <class Watcher>
   void begin(Cell start, std::span<const GoalRegion> goals, const Limits& limits,
              Watcher&& watcher);
@@ -44,7 +52,7 @@ class TautSearch {
 
   SearchOutcome outcome() const { return outcome_; }
   const SearchMetrics& metrics() const { return metrics_; }
-  const Portals& portals() const { return graph_.portals(); }
+  const Portals& portals() const { return *portals_; }
 
   bool is_corner(Id id) const { return id < corners_; }
   const TautCorner& corner(Id id) const { return portals().corners()[id]; }
@@ -61,7 +69,7 @@ class TautSearch {
   /// The estimate from the centre of a cell to the goals; 0 before the first search.
   double h(Cell cell) const { return goal_cells_.empty() ? 0 : h(centre_of(cell), cell); }
 
-  /// The goal that was found.
+  /// The goal that was found; the start if it is one.
   Id goal() const { return goal_; }
 
   /// Calls visit(id) for the open states, at most `most`, the next one first. Returns how many there are.
@@ -102,6 +110,11 @@ class TautSearch {
   Id start_id() const { return corners_; }
   Id goal_id(std::size_t index) const { return corners_ + 1 + static_cast<Id>(index); }
   double h(Point point, Cell near) const;
+  /// From the centre of a cell to a corner.
+  Ray ray_to(Id id, Cell cell) const {
+    return {2 * (std::int64_t{corner(id).x} - cell.x) - 1,
+            2 * (std::int64_t{corner(id).y} - cell.y) - 1};
+  }
 
   void begin_generation();
   void find_goals(std::span<const GoalRegion> goals);
@@ -119,8 +132,18 @@ class TautSearch {
   template <class Watcher>
   void expand_corner(Id id, Watcher& watcher);
 
-  TautGraph graph_;
+  /// Calls tell(corner, how far it is) for the corners that a cell sees.
+  template <class Tell>
+  void look_around(Cell cell, Tell&& tell);
+  TautGraph::Edges ahead_of(Id id, const Node& node);
+
+  std::shared_ptr<const Portals> portals_;
+  std::shared_ptr<const TautMap> map_;
+  std::optional<TautGraph> learned_;  // without a map
+  const TautGraph* graph_ = nullptr;  // the one of these two
   CornerSweep sweep_;
+  std::uint64_t looks_ = 0;    // around cells
+  std::uint64_t counted_ = 0;  // looks that have been taken
   const BitGrid* free_;
   Id corners_;
   std::vector<Node> nodes_;                  // of corners, the start, goals
@@ -162,7 +185,7 @@ void TautSearch::step(Watcher&& watcher) {
   nodes_[id].closed = true;
   ++metrics_.expanded;
   watcher.on_expand(id);
-  if (id > start_id()) {
+  if (id > start_id() || (id == start_id() && goals_.contains(start_))) {
     goal_ = id;
     outcome_ = SearchOutcome::found;
   } else if (id == start_id()) {
@@ -200,9 +223,8 @@ void TautSearch::expand_start(Watcher& watcher) {
   }
   if (sees_all) return;
   look_around_goals();
-  sweep_.from_cell(start_, [&](std::uint32_t corner, Ray ray) {
-    reach(corner, std::sqrt(static_cast<double>(ray.x * ray.x + ray.y * ray.y)) / 2, start_id(),
-          kNone, watcher);
+  look_around(start_, [&](std::uint32_t corner, double length) {
+    reach(corner, length, start_id(), kNone, watcher);
   });
 }
 
@@ -213,21 +235,24 @@ void TautSearch::expand_corner(Id id, Watcher& watcher) {
     const GoalInSight& sight = goals_in_sight_[id];
     reach(goal_id(sight.goal), node.g + sight.length, id, kNone, watcher);
   }
-  const TautCorner& at = corner(id);
-  TautGraph::Edges ahead{};
-  if (node.edge == kNone) {
-    const Ray ray{2 * std::int64_t{at.x} - 2 * start_.x - 1,
-                  2 * std::int64_t{at.y} - 2 * start_.y - 1};
-    ahead = graph_.ahead_of(id, ray);
-  } else {
-    const TautCorner& from = corner(node.parent);
-    ahead = graph_.ahead(node.edge, {std::int64_t{at.x} - from.x, std::int64_t{at.y} - from.y});
-  }
+  const TautGraph::Edges ahead = ahead_of(id, node);
   for (std::uint32_t i = ahead.begin; i < ahead.end; ++i) {
-    const TautGraph::Edge& edge = graph_.edge(i);
-    if (graph_.is_known_end(edge) && !sees_goal(edge.to)) continue;
+    const TautGraph::Edge& edge = graph_->edge(i);
+    if (graph_->is_known_end(edge) && !sees_goal(edge.to)) continue;
     reach(edge.to, node.g + edge.length, id, i, watcher);
   }
+}
+
+template <class Tell>
+void TautSearch::look_around(Cell cell, Tell&& tell) {
+  const auto told = [&](std::uint32_t id, Ray ray) {
+    tell(id, std::sqrt(static_cast<double>(ray.x * ray.x + ray.y * ray.y)) / 2);
+  };
+  if (map_ == nullptr) {
+    ++looks_;
+    return sweep_.from_cell(cell, told);
+  }
+  map_->for_each_seen(cell, [&](std::uint32_t id) { told(id, ray_to(id, cell)); });
 }
 
 template <class Visit>
