@@ -60,7 +60,7 @@ void TautGraph::end_fan(std::uint32_t corner) {
   const auto append = [this](std::vector<Seen>& seen) {
     std::ranges::sort(seen, [](const Seen& a, const Seen& b) { return cross(a.ray, b.ray) > 0; });
     for (const auto& [other, ray] : seen) {
-      edges_.push_back({other, kUnknown, 0, length_of(ray)});
+      edges_.push_back({other, kUnknown, 0, 0, 0, length_of(ray)});
     }
     return static_cast<std::uint32_t>(edges_.size());
   };
@@ -77,6 +77,40 @@ void TautGraph::learn_ahead() {
       const Edges found = ahead_in(fans_[edges_[id].to], edges_[id].to, ray_of(corner, edges_[id]));
       edges_[id].begin = found.begin;
       edges_[id].end = found.end;
+    }
+  }
+  link_back();
+  find_dead_ends();
+}
+
+/// Both corners of an edge see each other: what is tangent from one side is tangent from the other.
+void TautGraph::link_back() {
+  constexpr std::uint32_t kBits = (1U << 31U) - 1;
+  for (std::uint32_t corner = 0; corner < fans_.size(); ++corner) {
+    for (std::uint32_t id = fans_[corner].begin; id < fans_[corner].end; ++id) {
+      std::uint32_t back = fans_[edges_[id].to].begin;
+      while (edges_[back].to != corner) ++back;
+      edges_[id].back = back & kBits;
+    }
+  }
+}
+
+/// An edge is one if all edges ahead of it are. Those behind an edge are the ways back of those ahead of its way back.
+void TautGraph::find_dead_ends() {
+  std::vector<std::uint32_t> ways_on;  // of each edge
+  std::vector<std::uint32_t> ends;     // whose predecessors are still to be told
+  for (std::uint32_t id = 0; id < edges_.size(); ++id) {
+    ways_on.push_back(edges_[id].end - edges_[id].begin);
+    if (ways_on.back() == 0) ends.push_back(id);
+  }
+  while (!ends.empty()) {
+    Edge& end = edges_[ends.back()];
+    ends.pop_back();
+    end.dead_end = 1;
+    const Edge& back = edges_[end.back];
+    for (std::uint32_t i = back.begin; i < back.end; ++i) {
+      const std::uint32_t before = edges_[i].back;
+      if (--ways_on[before] == 0) ends.push_back(before);
     }
   }
 }

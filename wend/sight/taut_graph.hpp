@@ -35,6 +35,9 @@ class TautGraph {
     std::uint32_t to;     // a corner
     std::uint32_t begin;  // those ahead of it, once they are known
     std::uint32_t end;
+    std::uint32_t back : 31;  // the same edge the other way, once all is known
+    std::uint32_t dead_end
+        : 1;        // do all ways that go on from it end, in whatever order they are taken?
     double length;  // cells
   };
 
@@ -63,8 +66,8 @@ class TautGraph {
         corner, [&](std::uint32_t other, Ray ray) { take(corner, other, ray); }, see);
     end_fan(corner);
   }
-  /// Finds what lies ahead of every edge, once every corner has been looked at. Then the rest can be asked by many
-  /// threads.
+  /// Finds what lies ahead of every edge, its way back and dead ends, once every corner has been looked at. Then the
+  /// rest can be asked by many threads.
   void learn_ahead();
   Edges known_ahead(std::uint32_t edge_id) const {
     return {edges_[edge_id].begin, edges_[edge_id].end};
@@ -92,6 +95,8 @@ class TautGraph {
   void begin_fan();
   void take(std::uint32_t corner, std::uint32_t other, Ray ray);
   void end_fan(std::uint32_t corner);
+  void link_back();
+  void find_dead_ends();
   Edges ahead_in(const Fan& fan, std::uint32_t corner, Ray ray) const;
   Ray ray_of(std::uint32_t from, const Edge& edge) const;
 

@@ -31,16 +31,20 @@ PlannerInfo any_angle_planner() {
        .idea =
            "A shortest path is straight but for corners of obstacles, around which it bends. A* "
            "goes from corner to corner, along lines that touch both obstacles, and turns only "
-           "towards them. What is seen of a corner is found row by row in whole numbers, and kept "
-           "for later searches.",
+           "towards them. What a corner sees is found row by row in whole numbers, and kept. After "
+           "some queries it prepares the whole map, for all any_angle planners on the same free "
+           "space: what each corner sees, and by which cells it is seen.",
        .citation = "Harabor and others 2016; Oh, Leong 2017",
        .guarantee_text =
            "optimal for a point on uniform terrain: no path at any angle is shorter; for a disc or "
            "a polygon complete, and every path is free",
        .time = "O(n log n) in the n corners reached, and the rows seen from those that no search "
-               "has expanded before",
-       .memory = "16 bytes per run of free cells in a row, 24 per opening between two of them; per "
-                 "corner of an obstacle 92, and 24 per corner that it sees",
+               "has expanded before; on a prepared map without these rows",
+       .memory =
+           "16 bytes per run of free cells in a row, 24 per opening between two of them; per "
+           "corner of an obstacle 92, and 24 per corner that it sees; on a prepared map also "
+           "12 per corner and block of 8 x 8 cells that sees it, at most 64 per cell and 1 MiB "
+           "in all, or the map is not prepared",
        .when = "Where the shortest path counts, and for measuring how much longer others are. It "
                "refuses terrain and clearance costs. Paths touch corners of obstacles: give the "
                "robot a radius if it needs distance.",

@@ -236,7 +236,9 @@ TEST(ShortestAnyAngle, FindsTheSamePathOnceItKnowsTheMap) {
     const auto first = (*planner)->plan(Query::between(start, goal));
     if (!first) continue;
     const auto prepared = PreparedSight::of(space);
-    ASSERT_NE(prepared->map(prepared->portals(space, Adjacency::edges), 1000), nullptr);
+    const auto portals = prepared->portals(space, Adjacency::edges);
+    prepared->count(portals, portals->corners().size());
+    ASSERT_NE(prepared->map(portals), nullptr);
     const auto second = (*planner)->plan(Query::between(start, goal));
     ASSERT_TRUE(second);
     EXPECT_EQ(first->path, second->path);

@@ -21,17 +21,25 @@ std::shared_ptr<const Portals> PreparedSight::portals(const FreeSpace& space, Ad
   return portals;
 }
 
-std::shared_ptr<const TautMap> PreparedSight::map(const std::shared_ptr<const Portals>& portals,
-                                                  std::uint64_t looks) {
+PreparedSight::Ground* PreparedSight::ground_of(const std::shared_ptr<const Portals>& portals) {
+  if (portals == closed_.portals) return &closed_;
+  return portals == open_.portals ? &open_ : nullptr;
+}
+
+std::shared_ptr<const TautMap> PreparedSight::map(const std::shared_ptr<const Portals>& portals) {
   const MutexLock lock(mutex_);
-  if (portals != closed_.portals && portals != open_.portals) return nullptr;
-  Ground& ground = portals == open_.portals ? open_ : closed_;
-  ground.looks += looks;
-  if (ground.map != nullptr || ground.is_too_large) return ground.map;
-  if (ground.looks < portals->corners().size()) return nullptr;
-  ground.map = TautMap::make(portals, TautMap::usual_most_bytes(*portals));
-  ground.is_too_large = ground.map == nullptr;
-  return ground.map;
+  Ground* const ground = ground_of(portals);
+  if (ground == nullptr) return nullptr;
+  if (ground->map != nullptr || ground->is_too_large) return ground->map;
+  if (ground->looks < portals->corners().size()) return nullptr;
+  ground->map = TautMap::make(portals, TautMap::usual_most_bytes(*portals));
+  ground->is_too_large = ground->map == nullptr;
+  return ground->map;
+}
+
+void PreparedSight::count(const std::shared_ptr<const Portals>& portals, std::uint64_t looks) {
+  const MutexLock lock(mutex_);
+  if (Ground* const ground = ground_of(portals)) ground->looks += looks;
 }
 
 void PreparedSight::space_edited(const SpaceChange& /*change*/) {

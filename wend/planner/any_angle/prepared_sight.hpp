@@ -23,10 +23,11 @@ class PreparedSight final : public SpaceAttachment {
   /// fits along the diagonal.
   std::shared_ptr<const Portals> portals(const FreeSpace& space, Adjacency adjacency);
 
-  /// The map of these portals, if it is there or now worth making; a search has looked around so many times since it
-  /// asked before. Null also where the map would be too large, or portals have been made again.
-  std::shared_ptr<const TautMap> map(const std::shared_ptr<const Portals>& portals,
-                                     std::uint64_t looks);
+  /// The map of these portals, if it is there or now worth making. Null also where the map would be too large, or the
+  /// portals have been made again.
+  std::shared_ptr<const TautMap> map(const std::shared_ptr<const Portals>& portals);
+  /// A search on these portals has looked around so many times.
+  void count(const std::shared_ptr<const Portals>& portals, std::uint64_t looks);
 
   void space_edited(const SpaceChange& change) override;
 
@@ -37,6 +38,9 @@ class PreparedSight final : public SpaceAttachment {
     std::uint64_t looks = 0;
     bool is_too_large = false;
   };
+
+  /// Null if these are not its portals any more.
+  Ground* ground_of(const std::shared_ptr<const Portals>& portals);
 
   Mutex mutex_;  // guards the rest
   Ground closed_;

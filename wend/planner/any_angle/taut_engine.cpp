@@ -81,7 +81,8 @@ void TautEngine::begin(const Cell& start, std::span<const GoalRegion> goals, con
                        SearchObserver* observer) {
   observer_ = observer;
   if (!search_.knows_all()) {
-    if (auto map = prepared_->map(portals_, search_.take_looks())) search_.learn(std::move(map));
+    prepared_->count(portals_, search_.take_looks());
+    if (auto map = prepared_->map(portals_)) search_.learn(std::move(map));
   }
   watched([&](auto&& watcher) { search_.begin(start, goals, limits, watcher); });
 }

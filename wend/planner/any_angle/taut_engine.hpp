@@ -17,6 +17,11 @@ class TautEngine final : public GridEngine {
  public:
   TautEngine(FreeSpace space, Adjacency adjacency, std::shared_ptr<PreparedSight> prepared);
 
+  TautEngine(const TautEngine&) = delete;
+  TautEngine& operator=(const TautEngine&) = delete;
+  /// Others profit from what it has looked at.
+  ~TautEngine() override { prepared_->count(portals_, search_.take_looks()); }
+
   bool allocated() const override { return true; }
   void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
              SearchObserver* observer) override;

@@ -20,6 +20,8 @@ void TautSearch::learn(std::shared_ptr<const TautMap> map) {
   map_ = std::move(map);
   graph_ = &map_->graph();
   learned_.reset();
+  marks_.resize(graph_->edges());
+  to_mark_.reserve(graph_->edges());
 }
 
 std::uint64_t TautSearch::take_looks() {
@@ -42,6 +44,7 @@ void TautSearch::begin_generation() {
   if (generation_ == std::numeric_limits<std::uint32_t>::max()) {
     for (Node& node : nodes_) node.generation = 0;
     for (GoalInSight& sight : goals_in_sight_) sight.generation = 0;
+    std::ranges::fill(marks_, 0);
     generation_ = 0;
   }
   ++generation_;
@@ -67,10 +70,29 @@ void TautSearch::find_goals(std::span<const GoalRegion> goals) {
 void TautSearch::look_around_goals() {
   for (std::size_t i = 0; i < goal_cells_.size(); ++i) {
     look_around(goal_cells_[i], [&](std::uint32_t corner, double length) {
+      if (map_ != nullptr) mark_ways_to(goal_cells_[i], corner);
       GoalInSight& sight = goals_in_sight_[corner];
       if (sight.generation == generation_ && sight.length <= length) return;
       sight = {length, static_cast<std::uint32_t>(i), generation_};
     });
+  }
+}
+
+/// The edges of dead ends by which a path comes to a corner from where it goes on to the goal, and those before them.
+void TautSearch::mark_ways_to(Cell goal, Id corner) {
+  const auto mark_behind = [this](TautGraph::Edges away) {
+    for (std::uint32_t i = away.begin; i < away.end; ++i) {
+      const std::uint32_t towards = graph_->edge(i).back;
+      if (graph_->edge(towards).dead_end == 0 || marks_[towards] == generation_) continue;
+      marks_[towards] = generation_;
+      to_mark_.push_back(i);
+    }
+  };
+  mark_behind(graph_->known_ahead_of(corner, ray_to(corner, goal)));
+  while (!to_mark_.empty()) {
+    const std::uint32_t away = to_mark_.back();
+    to_mark_.pop_back();
+    mark_behind(graph_->known_ahead(away));
   }
 }
 

@@ -4,12 +4,14 @@
 // point at any angle. Its states are the start, corners, and the goals.
 //
 // At first it looks around starts and goals in each query, and around a corner once in all of them (TautGraph). When it
-// has a TautMap, it looks all of that up. A path goes on from a corner only as taut ones do. From a corner at which all
-// such ways are known to end, it goes on only to a goal. The paths are the same with a map and without.
+// has a TautMap, it looks all of that up. A path goes on from a corner only as taut ones do. Into a dead end it goes only
+// where a goal lies: with a map, the edges of dead ends that lead to a goal are marked, backwards from the goals. The
+// paths are the same with a map and without.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -120,6 +122,12 @@ class TautSearch {
   void find_goals(std::span<const GoalRegion> goals);
   void look_around_goals();
   bool sees_goal(Id corner) const { return goals_in_sight_[corner].generation == generation_; }
+  void mark_ways_to(Cell goal, Id corner);
+  /// Can no path to a goal go on along an edge?
+  bool leads_nowhere(std::uint32_t id, const TautGraph::Edge& edge) const {
+    if (map_ != nullptr) return edge.dead_end != 0 && marks_[id] != generation_;
+    return graph_->is_known_end(edge) && !sees_goal(edge.to);
+  }
   bool is_stale(const Open& open) const {
     return nodes_[open.id].closed || nodes_[open.id].g != open.g;
   }
@@ -148,11 +156,14 @@ class TautSearch {
   Id corners_;
   std::vector<Node> nodes_;                  // of corners, the start, goals
   std::vector<GoalInSight> goals_in_sight_;  // of corners
+  std::vector<std::uint32_t> marks_;  // of edges with a map: the search in which it leads to a goal
+  std::vector<std::uint32_t> to_mark_;  // edges away from a goal
   std::uint32_t generation_ = 0;
   std::vector<Open> open_;  // a heap
   Cell start_{};
   std::vector<Cell> goal_cells_;
   GoalCells goals_;
+  double shortest_ = 0;  // path to a goal that has been reached
   Id goal_ = kNone;
   SearchOutcome outcome_ = SearchOutcome::running;
   SearchMetrics metrics_;
@@ -169,6 +180,7 @@ void TautSearch::begin(Cell start, std::span<const GoalRegion> goals, const Limi
   outcome_ = SearchOutcome::running;
   metrics_ = {};
   open_.clear();
+  shortest_ = std::numeric_limits<double>::infinity();
   reach(start_id(), 0, kNone, kNone, watcher);
 }
 
@@ -202,8 +214,11 @@ void TautSearch::reach(Id id, double g, Id parent, std::uint32_t edge, Watcher& 
   Node& node = nodes_[id];
   const bool is_new = node.generation != generation_;
   if (!is_new && (node.closed || g >= node.g)) return;
+  const double f = g + h(id);
+  if (f > shortest_) return;
   node = {g, parent, edge, generation_, false};
-  min_heap::push(open_, Open{g + h(id), g, id});
+  if (id > start_id()) shortest_ = g;
+  min_heap::push(open_, Open{f, g, id});
   if (!is_new) return watcher.on_relax(id);
   ++metrics_.generated;
   metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
@@ -238,7 +253,7 @@ void TautSearch::expand_corner(Id id, Watcher& watcher) {
   const TautGraph::Edges ahead = ahead_of(id, node);
   for (std::uint32_t i = ahead.begin; i < ahead.end; ++i) {
     const TautGraph::Edge& edge = graph_->edge(i);
-    if (graph_->is_known_end(edge) && !sees_goal(edge.to)) continue;
+    if (leads_nowhere(i, edge)) continue;
     reach(edge.to, node.g + edge.length, id, i, watcher);
   }
 }
