@@ -42,8 +42,7 @@ TautGraph::Edges TautSearch::ahead_of(Id id, const Node& node) {
 
 void TautSearch::begin_generation() {
   if (generation_ == std::numeric_limits<std::uint32_t>::max()) {
-    for (Node& node : nodes_) node.generation = 0;
-    for (GoalInSight& sight : goals_in_sight_) sight.generation = 0;
+    for (Node& node : nodes_) node.generation = node.sees_goal_in = 0;
     std::ranges::fill(marks_, 0);
     generation_ = 0;
   }
@@ -72,8 +71,9 @@ void TautSearch::look_around_goals() {
     look_around(goal_cells_[i], [&](std::uint32_t corner, double length) {
       if (map_ != nullptr) mark_ways_to(goal_cells_[i], corner);
       GoalInSight& sight = goals_in_sight_[corner];
-      if (sight.generation == generation_ && sight.length <= length) return;
-      sight = {length, static_cast<std::uint32_t>(i), generation_};
+      if (sees_goal(corner) && sight.length <= length) return;
+      sight = {length, static_cast<std::uint32_t>(i)};
+      nodes_[corner].sees_goal_in = generation_;
     });
   }
 }
@@ -94,28 +94,6 @@ void TautSearch::mark_ways_to(Cell goal, Id corner) {
     to_mark_.pop_back();
     mark_behind(graph_->known_ahead(away));
   }
-}
-
-Point TautSearch::point(Id id) const {
-  if (!is_corner(id)) return centre_of(cell(id));
-  return {static_cast<double>(corner(id).x), static_cast<double>(corner(id).y)};
-}
-
-double TautSearch::h(Point point, Cell near) const {
-  return goals_.least(near, [&](Cell goal) {
-    const double x = goal.x + 0.5 - point.x;
-    const double y = goal.y + 0.5 - point.y;
-    return std::sqrt(x * x + y * y);
-  });
-}
-
-double TautSearch::h(Id id) const {
-  if (id > start_id()) return 0;
-  return h(point(id), is_corner(id) ? Cell{corner(id).x, corner(id).y} : start_);
-}
-
-void TautSearch::drop_stale() {
-  while (!open_.empty() && is_stale(open_.front())) min_heap::pop(open_);
 }
 
 }  // namespace wend

@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "wend/planner/goal_cells.hpp"
@@ -83,29 +84,27 @@ class TautSearch {
 
   struct Node {
     double g = 0;
+    double f = kClosed;
     Id parent = kNone;
-    std::uint32_t edge = kNone;    // by which it was reached, if from a corner
-    std::uint32_t generation = 0;  // of the search that reached it
-    bool closed = false;
+    std::uint32_t edge = kNone;      // by which it was reached, if from a corner
+    std::uint32_t generation = 0;    // of the search that reached it
+    std::uint32_t sees_goal_in = 0;  // the last search in which it has seen a goal
   };
+  static constexpr double kClosed = -1;
 
   /// The nearest goal that a corner sees.
   struct GoalInSight {
     double length = 0;
     std::uint32_t goal = 0;
-    std::uint32_t generation = 0;  // of the search
   };
 
   struct Open {
     double f;
-    double g;
     Id id;
 
-    /// Of equal estimates the farther state first.
+    /// Of equal estimates a goal first.
     friend bool operator<(const Open& a, const Open& b) {
-      if (a.f != b.f) return a.f < b.f;
-      if (a.g != b.g) return a.g > b.g;
-      return a.id < b.id;
+      return a.f != b.f ? a.f < b.f : a.id > b.id;
     }
   };
 
@@ -121,17 +120,18 @@ class TautSearch {
   void begin_generation();
   void find_goals(std::span<const GoalRegion> goals);
   void look_around_goals();
-  bool sees_goal(Id corner) const { return goals_in_sight_[corner].generation == generation_; }
+  bool sees_goal(Id corner) const { return nodes_[corner].sees_goal_in == generation_; }
   void mark_ways_to(Cell goal, Id corner);
   /// Can no path to a goal go on along an edge?
   bool leads_nowhere(std::uint32_t id, const TautGraph::Edge& edge) const {
     if (map_ != nullptr) return edge.dead_end != 0 && marks_[id] != generation_;
     return graph_->is_known_end(edge) && !sees_goal(edge.to);
   }
-  bool is_stale(const Open& open) const {
-    return nodes_[open.id].closed || nodes_[open.id].g != open.g;
-  }
-  void drop_stale();
+  bool is_stale(const Open& open) const { return nodes_[open.id].f != open.f; }
+  void push(const Open& open);
+  Open pop();
+  /// Without states that were reached again at less cost.
+  bool any_open();
 
   template <class Watcher>
   void reach(Id id, double g, Id parent, std::uint32_t edge, Watcher& watcher);
@@ -159,7 +159,8 @@ class TautSearch {
   std::vector<std::uint32_t> marks_;  // of edges with a map: the search in which it leads to a goal
   std::vector<std::uint32_t> to_mark_;  // edges away from a goal
   std::uint32_t generation_ = 0;
-  std::vector<Open> open_;  // a heap
+  std::vector<Open> open_;    // a heap
+  std::optional<Open> next_;  // the least of those that the last expansion reached, beside the heap
   Cell start_{};
   std::vector<Cell> goal_cells_;
   GoalCells goals_;
@@ -180,21 +181,63 @@ void TautSearch::begin(Cell start, std::span<const GoalRegion> goals, const Limi
   outcome_ = SearchOutcome::running;
   metrics_ = {};
   open_.clear();
+  next_.reset();
   shortest_ = std::numeric_limits<double>::infinity();
   reach(start_id(), 0, kNone, kNone, watcher);
+}
+
+inline double TautSearch::h(Point point, Cell near) const {
+  return goals_.least(near, [&](Cell goal) {
+    const double x = goal.x + 0.5 - point.x;
+    const double y = goal.y + 0.5 - point.y;
+    return std::sqrt(x * x + y * y);
+  });
+}
+
+inline double TautSearch::h(Id id) const {
+  if (id > start_id()) return 0;
+  return h(point(id), is_corner(id) ? Cell{corner(id).x, corner(id).y} : start_);
+}
+
+inline Point TautSearch::point(Id id) const {
+  if (!is_corner(id)) return centre_of(cell(id));
+  return {static_cast<double>(corner(id).x), static_cast<double>(corner(id).y)};
+}
+
+/// Most expansions go on from the state that the one before reached: it need not pass the heap.
+inline void TautSearch::push(const Open& open) {
+  if (!next_) {
+    next_ = open;
+  } else if (open < *next_) {
+    min_heap::push(open_, *std::exchange(next_, open));
+  } else {
+    min_heap::push(open_, open);
+  }
+}
+
+inline TautSearch::Open TautSearch::pop() {
+  if (!next_) return min_heap::pop(open_);
+  Open least = *std::exchange(next_, std::nullopt);
+  if (!open_.empty() && open_.front() < least) {
+    std::swap(open_.front(), least);
+    min_heap::sift_down(open_, 0);
+  }
+  return least;
+}
+
+inline bool TautSearch::any_open() {
+  if (next_ && is_stale(*next_)) next_.reset();
+  while (!open_.empty() && is_stale(open_.front())) min_heap::pop(open_);
+  return next_ || !open_.empty();
 }
 
 template <class Watcher>
 void TautSearch::step(Watcher&& watcher) {
   if (outcome_ != SearchOutcome::running) return;
-  if (open_.empty()) {
-    outcome_ = SearchOutcome::exhausted;
-    return;
-  }
   if (limits_.due(metrics_.expanded)) outcome_ = limits_.look(metrics_.expanded);
   if (outcome_ != SearchOutcome::running) return;
-  const Id id = min_heap::pop(open_).id;
-  nodes_[id].closed = true;
+  const Id id = pop().id;
+  nodes_[id].f = kClosed;
   ++metrics_.expanded;
   watcher.on_expand(id);
   if (id > start_id() || (id == start_id() && goals_.contains(start_))) {
@@ -205,20 +248,19 @@ void TautSearch::step(Watcher&& watcher) {
   } else {
     expand_corner(id, watcher);
   }
-  drop_stale();
-  if (outcome_ == SearchOutcome::running && open_.empty()) outcome_ = SearchOutcome::exhausted;
+  if (outcome_ == SearchOutcome::running && !any_open()) outcome_ = SearchOutcome::exhausted;
 }
 
 template <class Watcher>
 void TautSearch::reach(Id id, double g, Id parent, std::uint32_t edge, Watcher& watcher) {
   Node& node = nodes_[id];
   const bool is_new = node.generation != generation_;
-  if (!is_new && (node.closed || g >= node.g)) return;
+  if (!is_new && (node.f == kClosed || g >= node.g)) return;
   const double f = g + h(id);
   if (f > shortest_) return;
-  node = {g, parent, edge, generation_, false};
+  node = {g, f, parent, edge, generation_, node.sees_goal_in};
   if (id > start_id()) shortest_ = g;
-  min_heap::push(open_, Open{f, g, id});
+  push({f, id});
   if (!is_new) return watcher.on_relax(id);
   ++metrics_.generated;
   metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
@@ -273,6 +315,7 @@ void TautSearch::look_around(Cell cell, Tell&& tell) {
 template <class Visit>
 std::uint64_t TautSearch::for_each_open(std::size_t most, Visit&& visit) const {
   std::vector<Open> open = open_;
+  if (next_) min_heap::push(open, *next_);
   std::uint64_t count = 0;
   while (!open.empty()) {
     const Open next = min_heap::pop(open);
