@@ -1,7 +1,6 @@
 #include "wend/planner/any_angle/taut_search.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace wend {
@@ -21,6 +20,9 @@ void TautSearch::learn(std::shared_ptr<const TautMap> map) {
   graph_ = &map_->graph();
   learned_.reset();
   marks_.resize(graph_->edges());
+  for (std::uint32_t id = 0; id < marks_.size(); ++id) {
+    marks_[id] = graph_->edge(id).dead_end != 0 ? 0 : kLive;
+  }
   to_mark_.reserve(graph_->edges());
 }
 
@@ -41,9 +43,9 @@ TautGraph::Edges TautSearch::ahead_of(Id id, const Node& node) {
 }
 
 void TautSearch::begin_generation() {
-  if (generation_ == std::numeric_limits<std::uint32_t>::max()) {
+  if (generation_ + 1 == kLive) {
     for (Node& node : nodes_) node.generation = node.sees_goal_in = 0;
-    std::ranges::fill(marks_, 0);
+    std::ranges::replace_if(marks_, [](std::uint32_t mark) { return mark != kLive; }, 0U);
     generation_ = 0;
   }
   ++generation_;
@@ -83,7 +85,7 @@ void TautSearch::mark_ways_to(Cell goal, Id corner) {
   const auto mark_behind = [this](TautGraph::Edges away) {
     for (std::uint32_t i = away.begin; i < away.end; ++i) {
       const std::uint32_t towards = graph_->edge(i).back;
-      if (graph_->edge(towards).dead_end == 0 || marks_[towards] == generation_) continue;
+      if (marks_[towards] == kLive || marks_[towards] == generation_) continue;
       marks_[towards] = generation_;
       to_mark_.push_back(i);
     }

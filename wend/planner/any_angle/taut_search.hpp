@@ -91,6 +91,7 @@ class TautSearch {
     std::uint32_t sees_goal_in = 0;  // the last search in which it has seen a goal
   };
   static constexpr double kClosed = -1;
+  static constexpr std::uint32_t kLive = UINT32_MAX;  // not in a dead end
 
   /// The nearest goal that a corner sees.
   struct GoalInSight {
@@ -123,9 +124,9 @@ class TautSearch {
   bool sees_goal(Id corner) const { return nodes_[corner].sees_goal_in == generation_; }
   void mark_ways_to(Cell goal, Id corner);
   /// Can no path to a goal go on along an edge?
-  bool leads_nowhere(std::uint32_t id, const TautGraph::Edge& edge) const {
-    if (map_ != nullptr) return edge.dead_end != 0 && marks_[id] != generation_;
-    return graph_->is_known_end(edge) && !sees_goal(edge.to);
+  bool leads_nowhere(std::uint32_t edge) const {
+    if (map_ != nullptr) return marks_[edge] != kLive && marks_[edge] != generation_;
+    return graph_->is_known_end(graph_->edge(edge)) && !sees_goal(graph_->edge(edge).to);
   }
   bool is_stale(const Open& open) const { return nodes_[open.id].f != open.f; }
   void push(const Open& open);
@@ -156,7 +157,8 @@ class TautSearch {
   Id corners_;
   std::vector<Node> nodes_;                  // of corners, the start, goals
   std::vector<GoalInSight> goals_in_sight_;  // of corners
-  std::vector<std::uint32_t> marks_;  // of edges with a map: the search in which it leads to a goal
+  std::vector<std::uint32_t>
+      marks_;  // of the edges of a map: kLive, or the search in which it leads to a goal
   std::vector<std::uint32_t> to_mark_;  // edges away from a goal
   std::uint32_t generation_ = 0;
   std::vector<Open> open_;    // a heap
@@ -294,8 +296,8 @@ void TautSearch::expand_corner(Id id, Watcher& watcher) {
   }
   const TautGraph::Edges ahead = ahead_of(id, node);
   for (std::uint32_t i = ahead.begin; i < ahead.end; ++i) {
+    if (leads_nowhere(i)) continue;
     const TautGraph::Edge& edge = graph_->edge(i);
-    if (leads_nowhere(i, edge)) continue;
     reach(edge.to, node.g + edge.length, id, i, watcher);
   }
 }
