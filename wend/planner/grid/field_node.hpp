@@ -51,9 +51,7 @@ class FieldNode {
   bool reached() const { return bits_ != 0; }
   std::uint64_t g() const { return static_cast<std::uint64_t>(bits_ >> kCostShift); }
   /// g / 2^width_bits
-  std::uint64_t bucket(unsigned width_bits) const {
-    return static_cast<std::uint64_t>(bits_ >> (kCostShift + width_bits));
-  }
+  std::uint64_t bucket(unsigned width_bits) const { return g() >> width_bits; }
   /// The sum of the steps of the CostGrid at both ends of all diagonal steps.
   std::uint64_t diagonals() const {
     return static_cast<std::uint64_t>((bits_ & kBelowCost) >> kDiagonalShift);
