@@ -442,14 +442,33 @@ void HybridSearch::write_path(Drive& path) const {
   if (direction_ == Direction::from_start) std::ranges::reverse(path);
 }
 
+/// What the robot drives from the parent of a node to it, or from the node to its parent if the search begins at the
+/// goal.
+void HybridSearch::write_way(const Node& node) {
+  way_.clear();
+  Pose pose = node.parent == kNone ? node.pose : nodes_[node.parent].pose;
+  way_.push_back(pose);
+  for (std::size_t i = 0; node.parent != kNone && i < node.motion_count; ++i) {
+    const Motion& motion = motions_[node.first_motion + i];
+    // The segment between two poses turns the shorter way.
+    const int parts = 1 + static_cast<int>(std::abs(motion.turn) / (kPi / 2));
+    for (int part = 1; part <= parts; ++part) {
+      way_.push_back(pose_after(pose, part_of(motion, static_cast<double>(part) / parts)));
+    }
+    pose = pose_after(pose, motion);
+  }
+  if (direction_ == Direction::from_start) return;
+  for (Pose& at : way_) at = facing_back(at);
+}
+
 void HybridSearch::tell(const Node& node, bool expanded) {
   if (observer_ == nullptr) return;
+  write_way(node);
   SearchEvent event{cell_at(node.pose.point()), {}, node.g, node.h, f_of(node),
-                    node.pose.heading,          {}};
+                    way_.back().heading,        {}, way_};
   if (node.parent != kNone) {
-    const Pose& parent = nodes_[node.parent].pose;
-    event.parent = cell_at(parent.point());
-    event.parent_heading = parent.heading;
+    event.parent = cell_at(way_.front().point());
+    event.parent_heading = way_.front().heading;
   }
   if (expanded) {
     observer_->on_expand(event);
