@@ -1,0 +1,185 @@
+// EngineModule: wend as a WebAssembly module. One instance has one map, one robot and one search.
+
+import type {
+  CellInfo, Failure, Frame, Layer, MapInfo, Outcome, Range, Registry, Task, Window,
+} from './types';
+
+interface Exports {
+  memory: WebAssembly.Memory;
+  _initialize(): void;
+  input(bytes: number): number;
+  text(): number;
+  text_size(): number;
+  registry(): void;
+  load(width: number, height: number, resolution: number, originX: number, originY: number, yUp: number, metric: number): void;
+  generate(text: number, width: number, height: number, seed: number): void;
+  edit(count: number): void;
+  robot(text: number, distance: number, cost: number, unknownFree: number): void;
+  plan(planner: number, smoother: number, startX: number, startY: number, startHeading: number,
+       goalX: number, goalY: number, goalHeading: number, headings: number, record: number,
+       nearest: number, expansions: number, seconds: number): void;
+  cell(x: number, y: number): void;
+  show(text: number): void;
+  paint(width: number, height: number, left: number, top: number, cells: number, step: number): number;
+  palette(): number;
+  cells(): number;
+  cells_size(): number;
+  points(): number;
+  points_size(): number;
+  expansion(): number;
+  parents(): number;
+  steps(): number;
+  expanded_at(step: number): number;
+}
+
+/** The system calls that the module may make: the clock and random numbers; it has no files. */
+function systemCalls(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
+  const invalid = 8;  // no such file
+  const calls: Record<string, (...args: number[]) => number> = {
+    clock_time_get: (...args) => {
+      const address = Number(args[2]);
+      const nanoseconds = BigInt(Math.round(performance.now() * 1e6));
+      new DataView(memory().buffer).setBigUint64(address, nanoseconds, true);
+      return 0;
+    },
+    proc_exit: () => {
+      throw new Error('the planner ended unexpectedly');
+    },
+  };
+  return new Proxy(calls, {
+    get: (known, name) => known[String(name)] ?? (() => invalid),
+  }) as WebAssembly.ModuleImports;
+}
+
+export class EngineModule {
+  private constructor(private readonly wasm: Exports) {}
+
+  static async from(module: WebAssembly.Module): Promise<EngineModule> {
+    let memory: WebAssembly.Memory | undefined;
+    const calls = systemCalls(() => memory!);
+    const imports: Record<string, Record<string, WebAssembly.ImportValue>> = {};
+    for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+      (imports[from] ??= {})[name] = calls[name]!;
+    }
+    const instance = await WebAssembly.instantiate(module, imports);
+    const wasm = instance.exports as unknown as Exports;
+    memory = wasm.memory;
+    wasm._initialize();
+    return new EngineModule(wasm);
+  }
+
+  registry(): Registry {
+    this.wasm.registry();
+    return this.answer<Registry>();
+  }
+
+  load(cells: Uint8Array, width: number, height: number, frame: Frame): MapInfo | Failure {
+    this.bytes(this.wasm.input(cells.length), cells.length).set(cells);
+    this.wasm.load(width, height, frame.resolution, frame.originX, frame.originY,
+                   Number(frame.yUp), Number(frame.metric));
+    return this.answer<MapInfo | Failure>();
+  }
+
+  generate(spec: string, width: number, height: number, seed: number): MapInfo | Failure {
+    this.wasm.generate(this.write(spec), width, height, seed);
+    return this.answer<MapInfo | Failure>();
+  }
+
+  /** Cells of the present map; a copy. */
+  cells(): Uint8Array {
+    return this.bytes(this.wasm.cells(), this.wasm.cells_size()).slice();
+  }
+
+  /** Sets cells to these bytes. */
+  edit(indices: ArrayLike<number>, bytes: ArrayLike<number>): MapInfo | Failure {
+    const address = this.wasm.input(8 * indices.length);
+    const pairs = new Uint32Array(this.wasm.memory.buffer, address, 2 * indices.length);
+    for (let i = 0; i < indices.length; ++i) {
+      pairs[2 * i] = indices[i]!;
+      pairs[2 * i + 1] = bytes[i]!;
+    }
+    this.wasm.edit(indices.length);
+    return this.answer<MapInfo | Failure>();
+  }
+
+  robot(footprint: string, distance: number, cost: number, unknownFree: boolean): MapInfo | Failure {
+    this.wasm.robot(this.write(footprint), distance, cost, Number(unknownFree));
+    return this.answer<MapInfo | Failure>();
+  }
+
+  plan(task: Task): Outcome | Failure {
+    const planner = utf8(task.planner).length;
+    const both = this.write(task.planner + (task.smoother ?? ''));
+    this.wasm.plan(planner, both - planner, task.start.x, task.start.y, task.start.heading,
+                   task.goal.x, task.goal.y, task.goal.heading, Number(task.headings),
+                   Number(task.record), Number(task.nearest ?? false), task.expansions ?? 0,
+                   task.seconds ?? 0);
+    const outcome = this.answer<Outcome | Failure>();
+    return 'error' in outcome ? outcome : { ...outcome, path: this.points() };
+  }
+
+  cell(x: number, y: number): CellInfo | Failure {
+    this.wasm.cell(x, y);
+    const info = this.answer<CellInfo | Failure>();
+    return 'error' in info ? info : { ...info, chain: this.points() };
+  }
+
+  show(layer: Layer): Range | Failure {
+    this.wasm.show(this.write(layer));
+    return this.answer<Range | Failure>();
+  }
+
+  /** The colours of lab/wasm/painter.hpp, as bytes of a canvas. */
+  setPalette(colours: Uint32Array): void {
+    new Uint32Array(this.wasm.memory.buffer, this.wasm.palette(), colours.length).set(colours);
+  }
+
+  /** Paints the map after `step` expansions; a copy of the pixels. */
+  paint(window: Window, step: number): Uint8ClampedArray<ArrayBuffer> {
+    const address = this.wasm.paint(window.width, window.height, window.left, window.top, window.cells, step);
+    return new Uint8ClampedArray(this.wasm.memory.buffer, address, 4 * window.width * window.height).slice();
+  }
+
+  /** The cells in their order of expansion. */
+  expansions(): Uint32Array {
+    const order = new Uint32Array(this.wasm.steps());
+    for (let step = 1; step <= order.length; ++step) order[step - 1] = this.wasm.expanded_at(step);
+    return order;
+  }
+
+  /** The index of the cell that an expansion took, from 1; not above the steps of the search. */
+  expandedAt(step: number): number {
+    return this.wasm.expanded_at(step);
+  }
+
+  /** For each cell of the map the index of its parent; 2^32 - 1: none. Empty without a recorded search. */
+  parents(): Uint32Array {
+    const address = this.wasm.parents();
+    return address === 0 ? new Uint32Array()
+      : new Uint32Array(this.wasm.memory.buffer, address, this.wasm.cells_size()).slice();
+  }
+
+  private write(text: string): number {
+    const coded = utf8(text);
+    this.bytes(this.wasm.input(coded.length), coded.length).set(coded);
+    return coded.length;
+  }
+
+  private answer<Answer>(): Answer {
+    const text = this.bytes(this.wasm.text(), this.wasm.text_size());
+    return JSON.parse(new TextDecoder().decode(text)) as Answer;
+  }
+
+  private points(): Float64Array {
+    return new Float64Array(this.wasm.memory.buffer, this.wasm.points(), this.wasm.points_size()).slice();
+  }
+
+  /** A view of memory: valid until the next call. */
+  private bytes(address: number, size: number): Uint8Array {
+    return new Uint8Array(this.wasm.memory.buffer, address, size);
+  }
+}
+
+function utf8(text: string): Uint8Array {
+  return new TextEncoder().encode(text);
+}

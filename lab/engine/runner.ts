@@ -1,0 +1,123 @@
+// Runner: one search of the page: an engine, the state that it has been given, and its last answer. Requests that
+// come while it works are joined: only the latest counts.
+
+import { specOf, type Choice, type State } from '../store/state';
+import type { Stroke } from '../store/store';
+import { Engine, type Program } from './engine';
+import type { Failure, Layer, Outcome, Range } from './types';
+
+/** A search that is longer than this while ends are dragged is not written down before they are let go. */
+const livelyMilliseconds = 25;
+
+export class Runner {
+  engine: Engine;
+  outcome: Outcome | null = null;
+  failure: Failure | null = null;
+  range: Range | null = null;
+  busy = false;
+  /** Counts answers: who draws it compares. */
+  version = 0;
+
+  private map: Uint8Array | null = null;
+  private pending: Stroke[] = [];
+  private footprint = 'point';
+  private wanted: { state: State; choice: Choice; dragging: boolean } | null = null;
+  private lastRecording = 0;
+
+  constructor(private readonly program: Program, private readonly changed: (runner: Runner) => void) {
+    this.engine = new Engine(program);
+  }
+
+  /** Cells that changed; for the next request. */
+  edit(stroke: Stroke): void {
+    this.pending.push(stroke);
+  }
+
+  /** Plans for this state as soon as possible. */
+  request(state: State, choice: Choice, dragging: boolean): void {
+    this.wanted = { state, choice, dragging };
+    if (!this.busy) void this.work();
+  }
+
+  /** Ends a search that takes too long. */
+  stop(): void {
+    if (!this.busy) return;
+    this.engine.end();
+    this.engine = new Engine(this.program);
+    this.map = null;
+    this.footprint = 'point';
+  }
+
+  end(): void {
+    this.wanted = null;
+    this.engine.end();
+  }
+
+  private async work(): Promise<void> {
+    this.busy = true;
+    while (this.wanted) {
+      const { state, choice, dragging } = this.wanted;
+      this.wanted = null;
+      try {
+        await this.plan(state, choice, dragging);
+      } catch (fault) {
+        this.outcome = null;
+        this.failure = { status: 'cancelled', error: String(fault) };
+      }
+      ++this.version;
+      this.changed(this);
+    }
+    this.busy = false;
+    this.changed(this);
+  }
+
+  private async plan(state: State, choice: Choice, dragging: boolean): Promise<void> {
+    const fault = await this.take(state);
+    const record = !dragging || this.lastRecording < livelyMilliseconds;
+    const began = performance.now();
+    const answer = fault ?? await this.engine.call('plan', {
+      planner: specOf(choice.planner, choice.options),
+      smoother: state.smoother,
+      start: state.start,
+      goal: state.goal,
+      headings: state.headings,
+      record,
+      nearest: dragging,
+      seconds: 60,
+    });
+    if (record) this.lastRecording = performance.now() - began;
+    const failed = 'error' in answer;
+    this.failure = failed ? answer : null;
+    this.outcome = failed ? null : answer;
+    await this.show(state.layer);
+  }
+
+  async show(layer: Layer): Promise<void> {
+    const range = await this.engine.call('show', layer);
+    this.range = 'error' in range ? null : range;
+  }
+
+  /** Gives the engine the map, its changes, and the robot. */
+  private async take(state: State): Promise<Failure | null> {
+    const map = state.map;
+    if (!map) return { status: 'invalid_map', error: 'there is no map' };
+    const strokes = this.pending;
+    this.pending = [];
+    if (this.map !== map.cells) {
+      const loaded = await this.engine.call('load', map.cells, map.width, map.height, map.frame);
+      if ('error' in loaded) return loaded;
+      this.map = map.cells;
+    } else if (strokes.length > 0) {
+      const indices = strokes.flatMap((stroke) => [...stroke.indices]);
+      const bytes = indices.map((index) => map.cells[index]!);
+      const edited = await this.engine.call('edit', indices, bytes);
+      if ('error' in edited) return edited;
+    }
+    if (this.footprint !== state.footprint) {
+      const robot = await this.engine.call('robot', state.footprint, 0, 4, false);
+      if ('error' in robot) return robot;
+      this.footprint = state.footprint;
+    }
+    return null;
+  }
+}

@@ -1,0 +1,81 @@
+// Searches: a runner for each planner of the page, on the same map. Knows which step of each the clock stands for.
+
+import type { Clock } from '../store/clock';
+import type { State } from '../store/state';
+import type { Stroke } from '../store/store';
+import type { Program } from './engine';
+import { Runner } from './runner';
+import type { Layer, MapInfo, Failure } from './types';
+import { specOf, type Recipe } from '../store/state';
+
+export class Searches {
+  readonly runners: Runner[] = [];
+
+  constructor(
+    private readonly program: Program, private readonly clock: Clock,
+    /** A search has ended; `all` if none is left. */
+    private readonly changed: (all: boolean) => void,
+  ) {}
+
+  /** Begins what a change of the state asks for. */
+  update(state: State, before: State, stroke: Stroke | undefined, dragging: boolean): void {
+    if (stroke) for (const runner of this.runners) runner.edit(stroke);
+    this.resize(state.runs.length);
+    const all = state.map !== before.map || state.start !== before.start || state.goal !== before.goal ||
+      state.footprint !== before.footprint || state.smoother !== before.smoother || state.headings !== before.headings;
+    state.runs.forEach((run, i) => {
+      if (all || run !== before.runs[i]) this.runners[i]!.request(state, run, dragging);
+    });
+  }
+
+  /** Searches again, also those that were only sketched while ends were dragged. */
+  request(state: State, dragging = false): void {
+    this.resize(state.runs.length);
+    state.runs.forEach((run, i) => this.runners[i]!.request(state, run, dragging));
+  }
+
+  async show(layer: Layer): Promise<void> {
+    await Promise.all(this.runners.map((runner) => runner.show(layer)));
+  }
+
+  /** Ends searches that take too long; their workers begin anew. */
+  stop(): void {
+    for (const runner of this.runners) runner.stop();
+  }
+
+  get busy(): boolean {
+    return this.runners.some((runner) => runner.busy);
+  }
+
+  /** The expansions of the longest search. */
+  get longest(): number {
+    return Math.max(0, ...this.runners.map(({ outcome }) => outcome?.steps ?? 0));
+  }
+
+  /** The step of a search at the moment that the clock shows. */
+  stepOf(index: number, state: State): number {
+    const outcome = this.runners[index]?.outcome;
+    if (!outcome) return 0;
+    if (state.pace === 'expansions' || this.clock.length === 0) return Math.min(this.clock.step, outcome.steps);
+    const slowest = Math.max(...this.runners.map(({ outcome: each }) => each?.seconds ?? 0), 1e-9);
+    const seconds = (this.clock.step / this.clock.length) * slowest;
+    return Math.min(Math.floor((seconds / Math.max(outcome.seconds, 1e-9)) * outcome.steps), outcome.steps);
+  }
+
+  /** A map of a recipe, made beside the searches. */
+  async make(recipe: Recipe): Promise<{ info: MapInfo; cells: Uint8Array } | Failure> {
+    const maker = new Runner(this.program, () => undefined).engine;
+    const spec = specOf(recipe.generator, recipe.options);
+    const info = await maker.call('generate', spec, recipe.width, recipe.height, recipe.seed);
+    const made = 'error' in info ? info : { info, cells: await maker.call('cells') };
+    maker.end();
+    return made;
+  }
+
+  private resize(count: number): void {
+    while (this.runners.length < count) {
+      this.runners.push(new Runner(this.program, () => this.changed(!this.busy)));
+    }
+    for (const runner of this.runners.splice(count)) runner.end();
+  }
+}

@@ -1,0 +1,290 @@
+// <wend-lab>: the page: wires the store, the clock, the searches, the views and the panels.
+
+import { html, LitElement, nothing } from 'lit';
+import type { Program } from '../engine/engine';
+import { Searches } from '../engine/searches';
+import type { Failure, Layer, Registry } from '../engine/types';
+import type { ScenarioQuery } from '../formats/moving_ai';
+import { Clock } from '../store/clock';
+import { readLink } from '../store/link';
+import { fromLink, fromRecipe } from '../store/maps';
+import type { Choice, Recipe, State } from '../store/state';
+import { Store, type Stroke } from '../store/store';
+import { guess, noScore } from '../exercises/next';
+import { Camera, type Point } from '../view/camera';
+import '../view/map_view';
+import type { MapView, Pointed } from '../view/map_view';
+import { dark, light } from '../view/palette';
+import { appStyle } from './app_style';
+import { endsOfQuery, save, stateOfFiles } from './desk';
+import './facts';
+import './file_panel';
+import type { Saved } from './file_panel';
+import './exercise_panel';
+import { keyed } from './keys';
+import './layers_panel';
+import './map_panel';
+import './results';
+import './robot_panel';
+import './runs_panel';
+import { share } from './share';
+import { panelStyle } from './style';
+import './tools_panel';
+import './transport';
+import { cellInWords, outcomeInWords } from './words';
+
+const firstRecipe: Recipe = { generator: 'rooms', options: {}, width: 61, height: 35, seed: 3 };
+
+export class App extends LitElement {
+  static override styles = [panelStyle, appStyle];
+
+  private readonly store = new Store();
+  private readonly clock = new Clock();
+  private readonly camera = new Camera();
+  private readonly scheme = matchMedia('(prefers-color-scheme: dark)');
+  private readonly calm = matchMedia('(prefers-reduced-motion: reduce)');
+  private searches!: Searches;
+  private registry: Registry | null = null;
+  private pointed: Pointed | null = null;
+  private message = '';
+  private dragging = false;
+  private play = false;
+  /** The step that a link asks for, once its searches are done. */
+  private step: number | null = null;
+  private unfitted = true;
+  private answers = 0;
+  private queries: ScenarioQuery[] = [];
+  private score = noScore;
+
+  /** Begins with a compiled engine, its registry, and the text of a link. */
+  async begin(program: Program, registry: Registry, link: string): Promise<void> {
+    this.registry = registry;
+    this.searches = new Searches(program, this.clock, (all) => this.answered(all));
+    this.store.listen((state, before, stroke) => this.changed(state, before, stroke));
+    this.clock.listen(() => this.refreshViews());
+    this.scheme.addEventListener('change', () => this.requestUpdate());
+    addEventListener('keydown', (event) => keyed(event, this.store, this.clock));
+    addEventListener('hashchange', () => this.open(location.hash.slice(1)));
+    this.play = !this.calm.matches;
+    if (link === '' || !await this.open(link)) await this.make(firstRecipe, false);
+    const frame = (now: number) => {
+      this.clock.tick(now);
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }
+
+  override render() {
+    const { state } = this.store;
+    if (!this.registry || !state.map) return html`<p class="wait">Loading the planners</p>`;
+    return html`
+      <header>
+        <h1>wend lab</h1>
+        <lab-tools .store=${this.store}></lab-tools>
+        <span class="space"></span>
+        <button @click=${this.share} title="A link to this map, these planners and this step">Share link</button>
+      </header>
+      <main aria-busy=${this.searches.busy}>
+        <section class="views" @dragover=${(event: DragEvent) => event.preventDefault()} @drop=${this.drop}
+          data-count=${state.runs.length} aria-label="Maps">
+          ${state.runs.map((run, i) => this.view(run, i))}
+        </section>
+        <aside aria-label="Settings">
+          <lab-runs .store=${this.store} .registry=${this.registry} .state=${state} @count=${() => { this.unfitted = true; }}></lab-runs>
+          <section><h2>Result</h2>
+            <lab-results .runners=${this.searches.runners} .runs=${state.runs} version=${this.answers}></lab-results>
+            ${this.searches.busy ? html`<button @click=${() => this.searches.stop()}>Stop the search</button>` : nothing}
+          </section>
+          <section><h2>Under the pointer</h2>${this.cellFacts()}</section>
+          <section><h2>Colours</h2>
+            <lab-layers .store=${this.store} .state=${state} .range=${this.searches.runners[0]?.range ?? null}
+              @show=${(event: CustomEvent<Layer>) => this.show(event.detail)}></lab-layers></section>
+          <section><h2>Robot and path</h2>
+            <lab-robot .store=${this.store} .registry=${this.registry} .state=${state}></lab-robot></section>
+          <section><h2>Map</h2>
+            <lab-map-panel .registry=${this.registry} .recipe=${state.map.recipe ?? firstRecipe}
+              name="${state.map.name}, ${state.map.width} × ${state.map.height} cells"
+              @make=${(event: CustomEvent<Recipe>) => this.make(event.detail)}></lab-map-panel>
+          </section>
+          <section><h2>Files</h2>
+            <lab-files .queries=${this.queries}
+              @open=${(event: CustomEvent<File[]>) => this.openFiles(event.detail)}
+              @query=${(event: CustomEvent<number>) => this.store.commit(endsOfQuery(this.queries[event.detail]!))}
+              @save=${(event: CustomEvent<Saved>) => this.save(event.detail)}></lab-files>
+          </section>
+          <section><h2>Exercise</h2>
+            <lab-exercise .store=${this.store} .score=${this.score} ?active=${state.exercise !== ''}
+              @begin=${() => this.beginExercise()}></lab-exercise></section>
+          ${document.getElementById('wend-wasm') ? nothing : html`<section><a href="./licences.html">Licences</a></section>`}
+        </aside>
+      </main>
+      <footer><lab-transport .clock=${this.clock}></lab-transport></footer>
+      <p class="live" role="status">${this.message}</p>`;
+  }
+
+  override updated(): void {
+    if (this.unfitted) this.fit();
+    this.refreshViews();
+  }
+
+  private view(run: Choice, i: number) {
+    const colours = this.scheme.matches ? dark : light;
+    const many = this.store.state.runs.length > 1;
+    const { failure, outcome } = this.searches.runners[i]!;
+    const reason = failure?.error ?? outcome?.message;
+    return html`<figure>
+      ${many ? html`<figcaption>${run.planner}</figcaption>` : nothing}
+      ${reason ? html`<p class="reason">${reason}.</p>` : nothing}
+      <lab-map .store=${this.store} .clock=${this.clock} .runner=${this.searches.runners[i]!} .camera=${this.camera}
+        .headings=${this.registry!.planners.some(({ name, headings }) => name === run.planner && headings)}
+        .colours=${colours} .stepOf=${() => this.searches.stepOf(i, this.store.state)}
+        label="Map with the search of ${run.planner}. Arrow keys move the cursor, space paints, S and G set start and goal."
+        @camera=${() => this.refreshViews()} @resized=${() => this.fit()}
+        @answer=${(event: CustomEvent<Point>) => this.guess(event.detail)}
+        @drag=${(event: CustomEvent<boolean>) => this.drag(event.detail)}
+        @pointed=${(event: CustomEvent<Pointed | null>) => this.point(event.detail)}></lab-map></figure>`;
+  }
+
+  private cellFacts() {
+    if (!this.pointed) return html`<p>Point at a cell, or move to the map with Tab and use the arrow keys.</p>`;
+    const { cell, info } = this.pointed;
+    return html`<lab-facts .lines=${cellInWords(cell, info, this.pointedStep())}></lab-facts>`;
+  }
+
+  private pointedStep(): number {
+    const index = this.searches.runners.findIndex((runner) => runner === this.pointed?.runner);
+    return this.searches.stepOf(index, this.store.state);
+  }
+
+  private async make(recipe: Recipe, undoable = true): Promise<void> {
+    this.queries = [];
+    this.take(await fromRecipe(recipe, this.registry!, (each) => this.searches.make(each)), undoable);
+  }
+
+  /** Opens a link; says why if it cannot, and leaves all as it is. */
+  private async open(link: string): Promise<boolean> {
+    const linked = readLink(link, this.registry!);
+    if (typeof linked === 'string') {
+      this.say(`${linked}.`);
+      return false;
+    }
+    const change = await fromLink(linked, (each) => this.searches.make(each));
+    this.step = 'error' in change ? null : linked.step;
+    return this.take(change, this.store.state.map !== null);
+  }
+
+  private async openFiles(files: File[]): Promise<void> {
+    const opened = await stateOfFiles(files, this.store.state);
+    if (typeof opened === 'string') return this.say(`${opened}.`);
+    this.queries = opened.queries;
+    this.take(opened.change, true);
+  }
+
+  private drop(event: DragEvent): void {
+    event.preventDefault();
+    void this.openFiles([...(event.dataTransfer?.files ?? [])]);
+  }
+
+  private async save(what: Saved): Promise<void> {
+    const path = this.searches.runners[0]?.outcome?.path ?? null;
+    this.say(await save(what, this.store.state, path, this.views()[0]));
+  }
+
+  /** A new map, unless there is none, for a reason. */
+  private take(change: Partial<State> | Failure, undoable: boolean): boolean {
+    if ('error' in change) {
+      this.say(`${change.error}.`);
+      return false;
+    }
+    this.unfitted = true;
+    if (undoable) this.store.commit(change);
+    else this.store.set(change);
+    return true;
+  }
+
+  private changed(state: State, before: State, stroke?: Stroke): void {
+    this.searches.update(state, before, stroke, this.dragging || stroke !== undefined);
+    this.requestUpdate();
+  }
+
+  private answered(all: boolean): void {
+    ++this.answers;
+    if (all) {
+      const { longest } = this.searches;
+      if (!this.dragging || longest > 0) this.clock.restart(longest, this.play && this.step === null);
+      if (this.step !== null) this.clock.seek(this.step);
+      this.step = null;
+      this.play = false;
+      this.say(this.store.state.runs.map(({ planner }, i) => {
+        const runner = this.searches.runners[i]!;
+        return outcomeInWords(planner, runner.outcome, runner.failure);
+      }).join(' '));
+    }
+    this.requestUpdate();
+  }
+
+  private async show(layer: Layer): Promise<void> {
+    this.store.set({ layer });
+    await this.searches.show(layer);
+    this.requestUpdate();
+  }
+
+  private drag(active: boolean): void {
+    this.dragging = active;
+    if (!active) this.searches.request(this.store.state);
+  }
+
+  private beginExercise(): void {
+    this.score = noScore;
+    this.clock.playing = false;
+    this.clock.seek(1);
+    this.requestUpdate();
+  }
+
+  private async guess(cell: Point): Promise<void> {
+    const runner = this.searches.runners[0]!;
+    const { map } = this.store.state;
+    const step = this.searches.stepOf(0, this.store.state);
+    if (!map || !runner.outcome || step >= runner.outcome.steps) return this.say('The search has ended: go back to an earlier moment.');
+    const told = {
+      expandedAt: (at: number) => runner.engine.call('expandedAt', at),
+      cell: (x: number, y: number) => runner.engine.call('cell', x, y),
+    };
+    this.score = await guess(told, map.width, step, cell, this.score);
+    this.clock.move(1);
+    this.say(this.score.said);
+  }
+
+  private async share(): Promise<void> {
+    this.say(await share(this.store.state, this.clock.step));
+  }
+
+  private point(pointed: Pointed | null): void {
+    this.pointed = pointed;
+    this.requestUpdate();
+  }
+
+  private fit(): void {
+    const view = this.views()[0];
+    const { map } = this.store.state;
+    if (!view || !map || view.size.width === 0) return;
+    this.unfitted = false;
+    this.camera.fit(map, view.size.width, view.size.height);
+    this.refreshViews();
+  }
+
+  private views(): MapView[] {
+    return [...this.renderRoot.querySelectorAll<MapView>('lab-map')];
+  }
+
+  private refreshViews(): void {
+    for (const view of this.views()) view.refresh();
+  }
+
+  private say(message: string): void {
+    this.message = message;
+    this.requestUpdate();
+  }
+}
+
+customElements.define('wend-lab', App);

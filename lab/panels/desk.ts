@@ -1,0 +1,54 @@
+// What the page does with files: opens them into the state, saves what is shown.
+
+import { openFiles } from '../formats/files';
+import type { ScenarioQuery } from '../formats/moving_ai';
+import { mapSvg, mapText, offer, pathCsv } from '../formats/save';
+import { documentOf, endsOf } from '../store/maps';
+import { centreOf, type State } from '../store/state';
+import type { MapView } from '../view/map_view';
+import { light } from '../view/palette';
+import type { Saved } from './file_panel';
+
+export interface OpenedState {
+  change: Partial<State>;
+  queries: ScenarioQuery[];
+}
+
+/** The state that files ask for, or why they do not. */
+export async function stateOfFiles(files: File[], state: State): Promise<OpenedState | string> {
+  const opened = await openFiles(files);
+  if (typeof opened === 'string') return opened;
+  const { grid, name, queries } = opened;
+  const first = queries[0];
+  const ends = first ? endsOfQuery(first) : {};
+  if (!grid) {
+    const { map } = state;
+    if (!first || !map || first.width !== map.width || first.height !== map.height) return `${name}: open it together with its map`;
+    return { change: ends, queries };
+  }
+  const map = documentOf(name, { ...grid.frame, width: grid.width, height: grid.height }, grid.cells);
+  return { change: { map, footprint: 'point', ...endsOf(map), ...ends }, queries };
+}
+
+export function endsOfQuery({ start, goal }: ScenarioQuery): Partial<State> {
+  return { start: centreOf(...start), goal: centreOf(...goal) };
+}
+
+/** Offers a file; returns what to tell the visitor. */
+export async function save(what: Saved, state: State, path: Float64Array | null, view: MapView | undefined): Promise<string> {
+  const map = state.map;
+  if (!map) return 'There is no map to save.';
+  const name = map.name.replace(/\.[a-z]+$/i, '').replace(/[^\w-]+/g, '_') || 'map';
+  if (what === 'map') offer(`${name}.txt`, mapText(map));
+  if (what === 'svg') offer(`${name}.svg`, mapSvg(map, path, light));
+  if (what === 'path') {
+    if (!path || path.length === 0) return 'There is no path to save.';
+    offer(`${name}.csv`, pathCsv(map, path));
+  }
+  if (what === 'png') {
+    const picture = await view?.picture();
+    if (!picture) return 'The picture could not be made.';
+    offer(`${name}.png`, picture);
+  }
+  return 'Saved.';
+}

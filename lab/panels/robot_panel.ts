@@ -1,0 +1,103 @@
+// <lab-robot>: the shape of the robot, the headings of start and goal, and smoothing.
+
+import { html, LitElement, nothing } from 'lit';
+import type { Registry } from '../engine/types';
+import type { Place, State } from '../store/state';
+import type { Store } from '../store/store';
+import { sentence } from './planner_panel';
+import { panelStyle } from './style';
+
+type Shape = 'point' | 'disc' | 'polygon';
+
+const firstPolygon = (unit: number) =>
+  [[1, 0.6], [1, -0.6], [-1, -0.6], [-1, 0.6]].map(([x, y]) => `${x! * unit},${y! * unit}`).join('; ');
+
+export class RobotPanel extends LitElement {
+  static override styles = panelStyle;
+  static override properties = { store: { attribute: false }, registry: { attribute: false }, state: { attribute: false } };
+
+  declare store: Store;
+  declare registry: Registry;
+  declare state: State;
+
+  override render() {
+    const { footprint, smoother, runs, map } = this.state;
+    const shape = shapeOf(footprint);
+    const unit = map?.frame.metric ? 'm' : 'cells';
+    const turns = runs.some(({ planner }) => this.registry.planners.find(({ name }) => name === planner)?.headings);
+    return html`<div class="stack">
+      <label>Shape
+        <select @change=${this.chooseShape}>
+          ${(['point', 'disc', 'polygon'] as Shape[]).map((name) => html`
+            <option value=${name} ?selected=${name === shape}>${sentence(name, '')}</option>`)}
+        </select></label>
+      ${shape === 'disc' ? html`<label>Radius in ${unit}
+        <input type="number" min="0" step="any" .value=${footprint.slice(5)}
+          @change=${(event: Event) => this.set(`disc:${Math.max(Number(valueOf(event)), 0)}`)}></label>` : nothing}
+      ${shape === 'polygon' ? html`<label>Corners in ${unit}, around the base point
+        <input .value=${footprint} @change=${(event: Event) => this.set(valueOf(event))}></label>` : nothing}
+      ${turns ? html`<div class="row">
+        ${this.heading('start', 'Start heading')}
+        ${this.heading('goal', 'Goal heading')}</div>
+        <label class="check"><input type="checkbox" .checked=${this.state.headings}
+          @change=${(event: Event) => this.store.commit({ headings: (event.target as HTMLInputElement).checked })}>
+          The goal's heading counts</label>` : nothing}
+      <label>Smooth the path
+        <select @change=${(event: Event) => this.store.commit({ smoother: valueOf(event) })}>
+          <option value="" ?selected=${smoother === ''}>No</option>
+          ${this.registry.smoothers.map(({ name, summary }) => html`
+            <option value=${name} title=${summary} ?selected=${smoother.split(':')[0] === name}>${sentence(name, '')}</option>`)}
+        </select></label>
+      ${this.smootherOptions(smoother)}
+    </div>`;
+  }
+
+  private heading(end: 'start' | 'goal', label: string) {
+    const degrees = Math.round((this.state[end].heading * 180) / Math.PI);
+    return html`<label>${label}, ${degrees}°
+      <input type="range" min="-180" max="180" step="5" .value=${String(degrees)}
+        @change=${(event: Event) => {
+          const place: Place = { ...this.state[end], heading: (Number(valueOf(event)) * Math.PI) / 180 };
+          this.store.commit({ [end]: place });
+        }}></label>`;
+  }
+
+  private smootherOptions(smoother: string) {
+    const [name, list] = smoother.split(':');
+    const info = this.registry.smoothers.find((each) => each.name === name);
+    if (!info) return nothing;
+    const given = new Map((list ?? '').split(',').filter((word) => word !== '').map((word) => word.split('=') as [string, string]));
+    const set = (option: string, value: string) => {
+      given.set(option, value);
+      this.store.commit({ smoother: `${name}:${[...given].map((pair) => pair.join('=')).join(',')}` });
+    };
+    return html`<div class="row">${info.options.filter(({ kind }) => kind === 'number').slice(0, 4).map((option) => html`
+      <label title=${option.help}>${sentence(option.name.replaceAll('_', ' '), '')}
+        <input type="number" step="any" min=${option.least} max=${option.greatest}
+          .value=${given.get(option.name) ?? option.default}
+          @change=${(event: Event) => set(option.name, valueOf(event))}></label>`)}</div>`;
+  }
+
+  private chooseShape(event: Event): void {
+    const shape = valueOf(event) as Shape;
+    // Two cells across, to begin with.
+    const cell = this.state.map?.frame.metric ? this.state.map.frame.resolution : 1;
+    const first: Record<Shape, string> = { point: 'point', disc: `disc:${cell}`, polygon: firstPolygon(cell) };
+    this.set(first[shape]);
+  }
+
+  private set(footprint: string): void {
+    this.store.commit({ footprint });
+  }
+}
+
+export function shapeOf(footprint: string): Shape {
+  if (footprint === 'point') return 'point';
+  return footprint.startsWith('disc:') ? 'disc' : 'polygon';
+}
+
+function valueOf(event: Event): string {
+  return (event.target as HTMLInputElement).value;
+}
+
+customElements.define('lab-robot', RobotPanel);

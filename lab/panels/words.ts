@@ -1,0 +1,47 @@
+// Outcomes and cells in words.
+
+import { obstacle, unknown, type CellInfo, type Failure, type Outcome } from '../engine/types';
+import type { Point } from '../view/camera';
+import { sentence } from './planner_panel';
+
+export function number(value: number, digits = 2): string {
+  return value.toLocaleString('en', { maximumFractionDigits: digits });
+}
+
+/** "0.8 ms" */
+export function duration(seconds: number): string {
+  return seconds < 1 ? `${number(seconds * 1000, 1)} ms` : `${number(seconds, 2)} s`;
+}
+
+/** For the live text: how a search ended. */
+export function outcomeInWords(planner: string, outcome: Outcome | null, failure: Failure | null): string {
+  if (failure) return `${planner}: ${failure.error}.`;
+  if (!outcome) return `${planner} is searching.`;
+  const work = `${number(outcome.expanded)} expanded`;
+  if (outcome.status !== 'found') return `${planner}: ${sentence(outcome.message ?? outcome.status)} ${sentence(work)}`;
+  return `${planner}: found a path of cost ${number(outcome.cost!, 4)}, ${work}.`;
+}
+
+function groundInWords(info: CellInfo): string {
+  if (info.byte === obstacle) return 'obstacle';
+  if (info.byte === unknown) return 'unknown';
+  return info.terrain > 1 ? `free, costs ${number(info.terrain)} times as much` : 'free';
+}
+
+/** Everything about a cell at a step of the search, as lines of a name and a value. */
+export function cellInWords(cell: Point, info: CellInfo, step: number): [string, string][] {
+  const lines: [string, string][] = [[`Cell (${cell.x}, ${cell.y})`, groundInWords(info)]];
+  if (info.blocked) lines.push(['Blocked', info.blocked]);
+  else if (info.clearance !== null) lines.push(['Clearance', `${number(info.clearance)} cells`]);
+  if (info.generation && info.generation <= step) {
+    const { g, h, f } = info;
+    const expanded = info.expansion && info.expansion <= step;
+    lines.push(['Search', expanded ? `expanded as number ${number(info.expansion!)}` : 'in the frontier']);
+    if (typeof g === 'number') lines.push(['g, from the start', number(g, 3)]);
+    if (typeof h === 'number') lines.push(['h, estimate to the goal', number(h, 3)]);
+    if (typeof f === 'number') lines.push(['f, priority', number(f, 3)]);
+  } else if (!info.blocked) {
+    lines.push(['Search', 'not reached so far']);
+  }
+  return lines;
+}

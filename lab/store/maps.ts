@@ -1,0 +1,51 @@
+// Map documents from recipes, files and links.
+
+import type { Failure, MapInfo, Registry } from '../engine/types';
+import type { Linked } from './link';
+import { centreOf, type MapDocument, type Place, type Recipe, type State } from './state';
+
+export type Maker = (recipe: Recipe) => Promise<{ info: MapInfo; cells: Uint8Array } | Failure>;
+
+/** A new map of a recipe, and ends in two of its corners. */
+export async function fromRecipe(recipe: Recipe, registry: Registry, make: Maker): Promise<Partial<State> | Failure> {
+  const made = await make(recipe);
+  if ('error' in made) return made;
+  const { info, cells } = made;
+  const corner = registry.generators.find(({ name }) => name === recipe.generator)?.freeCorner ?? 1;
+  return {
+    map: documentOf(`${recipe.generator}, seed ${recipe.seed}`, info, cells, recipe),
+    start: centreOf(corner, corner),
+    goal: centreOf(info.width - 1 - corner, info.height - 1 - corner),
+    footprint: 'point',
+  };
+}
+
+/** The state of a link, but its step. */
+export async function fromLink(linked: Linked, make: Maker): Promise<Partial<State> | Failure> {
+  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise } = linked;
+  const rest = { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise };
+  const { recipe, cells, name, width, height, frame } = linked;
+  if (!recipe) return { ...rest, map: documentOf(name, { ...frame, width, height }, cells!) };
+  const made = await make(recipe);
+  if ('error' in made) return made;
+  const map = documentOf(name, made.info, made.cells, recipe);
+  if (cells) map.cells = made.cells.map((cell, i) => cell + cells[i]!);
+  return { ...rest, map };
+}
+
+export function documentOf(name: string, info: MapInfo, cells: Uint8Array, recipe?: Recipe): MapDocument {
+  const { width, height, ...frame } = info;
+  return {
+    name, width, height, frame, cells, version: 0,
+    ...(recipe ? { recipe, original: cells.slice() } : {}),
+  };
+}
+
+/** Two free cells far from each other, for a map without ends: the first and the last that are free. */
+export function endsOf(map: MapDocument): { start: Place; goal: Place } {
+  const isFree = (cell: number) => cell !== 0 && cell !== 255;
+  const first = Math.max(map.cells.findIndex(isFree), 0);
+  const last = Math.max(map.cells.findLastIndex(isFree), 0);
+  const place = (index: number) => centreOf(index % map.width, Math.floor(index / map.width));
+  return { start: place(first), goal: place(last) };
+}

@@ -1,0 +1,91 @@
+// State: everything that the page shows and that a link carries. Values; the store replaces them.
+
+import type { Frame, Layer } from '../engine/types';
+
+/** A recipe for a map: the same recipe gives the same map everywhere. */
+export interface Recipe {
+  generator: string;
+  options: Record<string, string>;
+  width: number;
+  height: number;
+  seed: number;
+}
+
+export interface MapDocument {
+  name: string;
+  width: number;
+  height: number;
+  frame: Frame;
+  /** A byte a cell, see lab/wasm/cells.hpp. Strokes change it in place and count up `version`. */
+  cells: Uint8Array;
+  version: number;
+  /** What it was made from, and the cells as they were then. */
+  recipe?: Recipe;
+  original?: Uint8Array;
+}
+
+/** A place in grid coordinates, with a heading in radians. */
+export interface Place {
+  x: number;
+  y: number;
+  heading: number;
+}
+
+export interface Choice {
+  planner: string;
+  options: Record<string, string>;
+}
+
+export type Tool = 'wall' | 'cost' | 'erase' | 'look';
+export type Pace = 'expansions' | 'time';
+export type Exercise = '' | 'next';
+
+export interface State {
+  map: MapDocument | null;
+  start: Place;
+  goal: Place;
+  /** One to four, side by side. */
+  runs: Choice[];
+  /** "point", "disc:0.3" or the corners of a polygon, in metres; in cells on a map without a resolution. */
+  footprint: string;
+  /** A smoother and its options, as the command line takes them; empty: none. */
+  smoother: string;
+  /** Does the heading of the goal count? */
+  headings: boolean;
+  layer: Layer;
+  arrows: boolean;
+  tool: Tool;
+  brush: number;
+  /** The cost that the brush paints. */
+  cost: number;
+  pace: Pace;
+  /** The exercise that the page asks; empty: none. */
+  exercise: Exercise;
+}
+
+export const initialState: State = {
+  map: null,
+  start: { x: 1.5, y: 1.5, heading: 0 },
+  goal: { x: 1.5, y: 1.5, heading: 0 },
+  runs: [{ planner: 'astar', options: {} }],
+  footprint: 'point',
+  smoother: '',
+  headings: false,
+  layer: '',
+  arrows: false,
+  tool: 'wall',
+  brush: 1,
+  cost: 5,
+  pace: 'expansions',
+  exercise: '',
+};
+
+/** "astar:weight=2,heuristic=euclidean", as the command line takes it. */
+export function specOf(name: string, options: Record<string, string>): string {
+  const words = Object.entries(options).map(([option, value]) => `${option}=${value}`);
+  return words.length === 0 ? name : `${name}:${words.join(',')}`;
+}
+
+export function centreOf(x: number, y: number): Place {
+  return { x: x + 0.5, y: y + 0.5, heading: 0 };
+}

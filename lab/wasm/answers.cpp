@@ -1,0 +1,71 @@
+#include "lab/wasm/answers.hpp"
+
+#include "lab/wasm/cells.hpp"
+#include "lab/wasm/json.hpp"
+
+namespace wend::lab {
+namespace {
+
+void write(Json& json, const SearchMetrics& metrics, double seconds, std::uint32_t steps) {
+  json.field("expanded", metrics.expanded)
+      .field("generated", metrics.generated)
+      .field("maxFrontier", metrics.max_frontier)
+      .field("seconds", seconds)
+      .field("steps", steps);
+}
+
+}  // namespace
+
+std::string error_text(const Error& error) {
+  return Json()
+      .object()
+      .field("status", to_string(error.status))
+      .field("error", error.message)
+      .end_object()
+      .text();
+}
+
+std::string failure_text(const RequestFailure& failure, std::uint32_t steps) {
+  Json json;
+  json.object().field("status", to_string(failure.status)).field("message", failure.message);
+  write(json, failure.metrics, failure.search_seconds, steps);
+  return json.end_object().text();
+}
+
+std::string plan_text(const PlanAnswer& answer, std::uint32_t steps) {
+  Json json;
+  json.object()
+      .field("status", to_string(Status::found))
+      .field("cost", answer.plan.cost)
+      .field("bound", answer.plan.bound)
+      .field("length", answer.path().length());
+  json.key("notes").array();
+  for (const std::string& note : answer.notes) json.value(note);
+  if (answer.fault) json.value(answer.fault->message);
+  json.end_array();
+  write(json, answer.plan.metrics, answer.search_seconds, steps);
+  return json.end_object().text();
+}
+
+std::string cell_text(const FreeSpace& space, Cell cell, std::uint8_t byte, const Replay& replay) {
+  Json json;
+  const auto blocked = space.why_blocked(cell);
+  json.object()
+      .field("byte", int{byte})
+      .field("clearance", space.clearance(cell))
+      .field("terrain", space.terrain(cell));
+  if (blocked) json.field("blocked", describe(*blocked));
+  if (replay.width() != 0) {
+    const auto index = static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(replay.width()) +
+                       static_cast<std::size_t>(cell.x);
+    const Replay::Known& known = replay.known()[index];
+    json.field("expansion", replay.expansion()[index])
+        .field("generation", replay.generation()[index])
+        .field("g", double{known.g})
+        .field("h", double{known.h})
+        .field("f", double{known.f});
+  }
+  return json.end_object().text();
+}
+
+}  // namespace wend::lab

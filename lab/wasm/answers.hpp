@@ -1,0 +1,26 @@
+#pragma once
+
+// The answers of a Lab as JSON.
+
+#include <cstdint>
+#include <string>
+
+#include "lab/wasm/replay.hpp"
+#include "wend/base/error.hpp"
+#include "wend/session/plan_request.hpp"
+
+namespace wend::lab {
+
+/// {"error": message, "status": status}
+std::string error_text(const Error& error);
+
+/// A failed search: the same with the work of the search and the number of steps that can be replayed.
+std::string failure_text(const RequestFailure& failure, std::uint32_t steps);
+
+/// A path: its cost, its bound, the work of the search.
+std::string plan_text(const PlanAnswer& answer, std::uint32_t steps);
+
+/// A cell: what is there, whether the robot fits, what the search knew of it.
+std::string cell_text(const FreeSpace& space, Cell cell, std::uint8_t byte, const Replay& replay);
+
+}  // namespace wend::lab

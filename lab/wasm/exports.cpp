@@ -1,0 +1,115 @@
+// What the page calls. Text and arrays go in through a buffer; JSON and arrays come out as an address and a size.
+// One Lab for each instance of the module, and so for each worker.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lab/wasm/lab.hpp"
+#include "lab/wasm/registry_text.hpp"
+
+#define WEND_LAB_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+namespace {
+
+using wend::lab::CellByte;
+using wend::lab::Lab;
+
+Lab& lab() {
+  static Lab the_lab;
+  return the_lab;
+}
+
+std::vector<std::uint64_t>& input() {  // aligned for every type that comes in
+  static std::vector<std::uint64_t> buffer;
+  return buffer;
+}
+
+std::string& output() {
+  static std::string text;
+  return text;
+}
+
+const std::uint8_t* input_bytes() { return reinterpret_cast<const std::uint8_t*>(input().data()); }
+
+std::string_view input_text(std::size_t from, std::size_t size) {
+  return {reinterpret_cast<const char*>(input().data()) + from, size};
+}
+
+}  // namespace
+
+WEND_LAB_EXPORT(input) void* lab_input(std::size_t bytes) {
+  input().resize(bytes / sizeof(std::uint64_t) + 1);
+  return input().data();
+}
+WEND_LAB_EXPORT(text) const char* lab_text() { return output().data(); }
+WEND_LAB_EXPORT(text_size) std::size_t lab_text_size() { return output().size(); }
+
+WEND_LAB_EXPORT(registry) void lab_registry() { output() = wend::lab::registry_text(); }
+
+WEND_LAB_EXPORT(load)
+void lab_load(int width, int height, double resolution, double origin_x, double origin_y, bool y_up,
+              bool metric) {
+  const wend::Frame frame{resolution, {origin_x, origin_y, 0}, y_up, metric};
+  const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  output() = lab().load({input_bytes(), size}, width, height, frame);
+}
+
+WEND_LAB_EXPORT(generate)
+void lab_generate(std::size_t text, int width, int height, double seed) {
+  output() = lab().generate(input_text(0, text), width, height, static_cast<std::uint64_t>(seed));
+}
+
+WEND_LAB_EXPORT(edit) void lab_edit(std::size_t count) {
+  output() = lab().edit({reinterpret_cast<const CellByte*>(input().data()), count});
+}
+
+WEND_LAB_EXPORT(robot)
+void lab_robot(std::size_t text, double distance, double cost, bool unknown_free) {
+  output() = lab().set_robot(input_text(0, text), distance, cost, unknown_free);
+}
+
+/// The input has the planner, then the smoother.
+WEND_LAB_EXPORT(plan)
+void lab_plan(std::size_t planner, std::size_t smoother, double start_x, double start_y,
+              double start_heading, double goal_x, double goal_y, double goal_heading,
+              bool headings, bool record, bool nearest, double expansions, double seconds) {
+  const std::string names(input_text(0, planner + smoother));
+  output() = lab().plan({.start = {start_x, start_y, start_heading},
+                         .goal = {goal_x, goal_y, goal_heading},
+                         .headings = headings,
+                         .record = record,
+                         .nearest = nearest,
+                         .expansions = expansions,
+                         .seconds = seconds,
+                         .planner = std::string_view(names).substr(0, planner),
+                         .smoother = std::string_view(names).substr(planner)});
+}
+
+WEND_LAB_EXPORT(cell) void lab_cell(int x, int y) { output() = lab().cell({x, y}); }
+
+WEND_LAB_EXPORT(show) void lab_show(std::size_t text) {
+  output() = lab().show(input_text(0, text));
+}
+
+WEND_LAB_EXPORT(paint)
+const std::uint32_t* lab_paint(int width, int height, double left, double top, double cells,
+                               std::uint32_t step) {
+  lab().paint({width, height, left, top, cells, false}, step);
+  return lab().pixels().data();
+}
+
+WEND_LAB_EXPORT(palette) void* lab_palette() { return &lab().palette(); }
+WEND_LAB_EXPORT(cells) const void* lab_cells() { return lab().cells().data(); }
+WEND_LAB_EXPORT(cells_size) std::size_t lab_cells_size() { return lab().cells().size(); }
+WEND_LAB_EXPORT(points) const void* lab_points() { return lab().points().data(); }
+WEND_LAB_EXPORT(points_size) std::size_t lab_points_size() { return lab().points().size(); }
+WEND_LAB_EXPORT(steps) std::uint32_t lab_steps() { return lab().replay().steps(); }
+WEND_LAB_EXPORT(expanded_at) std::uint32_t lab_expanded_at(std::uint32_t step) {
+  return lab().replay().expanded_at(step);
+}
+WEND_LAB_EXPORT(expansion) const void* lab_expansion() { return lab().replay().expansion().data(); }
+WEND_LAB_EXPORT(parents) const void* lab_parents() { return lab().replay().parent().data(); }

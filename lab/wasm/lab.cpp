@@ -1,0 +1,213 @@
+#include "lab/wasm/lab.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lab/wasm/answers.hpp"
+#include "lab/wasm/cells.hpp"
+#include "lab/wasm/json.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/geometry/arc.hpp"
+#include "wend/path/smoother.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::lab {
+namespace {
+
+constexpr double kTurnOfALine = 0.1;  // radians
+
+/// One entry of a list: "astar:weight=2".
+Expected<OptionSpec, Error> spec_of(std::string_view text, std::string_view kind,
+                                    const std::vector<std::string>& names) {
+  auto specs = parse_option_specs(text, kind, names);
+  if (!specs) return Unexpected<Error>(specs.error());
+  return std::move(specs->front());
+}
+
+/// The spacing of the lattice of a planner that stands on vertices, in cells; 0 for cells.
+int unit_of(Session& session, const PlannerSpec& spec) {
+  const PlannerInfo* const info = planners().find(spec.name);
+  if (info == nullptr || !info->capabilities.headings) return 0;
+  const auto planner = session.planner(spec);
+  return planner ? (*planner)->corner_unit() : 0;
+}
+
+}  // namespace
+
+std::string Lab::load(std::span<const std::uint8_t> cells, int width, int height,
+                      const Frame& frame) {
+  auto map = map_of(cells, width, height, frame);
+  return map ? take(*std::move(map)) : error_text(map.error());
+}
+
+std::string Lab::generate(std::string_view spec, int width, int height, std::uint64_t seed) {
+  const auto parsed = spec_of(spec, "generator", generators().names());
+  if (!parsed) return error_text(parsed.error());
+  auto map = make_map(parsed->name, width, height, seed, parsed->options);
+  return map ? take(*std::move(map)) : error_text(map.error());
+}
+
+std::string Lab::take(GridMap map) {
+  cells_ = cells_of(map);
+  width_ = map.width();
+  height_ = map.height();
+  frame_ = map.frame();
+  session_.set_map(std::move(map));
+  pyramid_.set_map(cells_, width_, height_);
+  find_fits();
+  forget_search();
+  return map_text();
+}
+
+std::string Lab::map_text() const {
+  return Json()
+      .object()
+      .field("width", width_)
+      .field("height", height_)
+      .field("resolution", frame_.resolution)
+      .field("originX", frame_.origin.x)
+      .field("originY", frame_.origin.y)
+      .field("yUp", frame_.y_up)
+      .field("metric", frame_.metric)
+      .end_object()
+      .text();
+}
+
+std::string Lab::edit(std::span<const CellByte> changes) {
+  MapEdit edit;
+  for (const auto& [index, byte] : changes) {
+    if (index >= cells_.size()) {
+      return error_text({Status::invalid_map, "a cell of the edit is not on the map"});
+    }
+    const auto width = static_cast<std::uint32_t>(width_);
+    const auto value = static_cast<std::uint8_t>(byte);
+    edit.cells.push_back({{static_cast<int>(index % width), static_cast<int>(index / width)},
+                          state_of(value),
+                          cost_of(value)});
+    cells_[index] = value;
+  }
+  const auto change = session_.edit(edit);
+  if (!change) return error_text(change.error());
+  pyramid_.set_map(cells_, width_, height_);
+  find_fits();
+  forget_search();
+  return map_text();
+}
+
+std::string Lab::set_robot(std::string_view footprint, double clearance_distance,
+                           double clearance_cost, bool unknown_free) {
+  const auto parsed = parse_footprint(footprint);
+  if (!parsed) return error_text(parsed.error());
+  session_.set_robot({.footprint = *parsed,
+                      .unknown = unknown_free ? UnknownPolicy::free : UnknownPolicy::blocked,
+                      .clearance_distance = clearance_distance,
+                      .clearance_cost = clearance_cost});
+  forget_search();
+  const auto view = session_.view();
+  if (!view && view.error().status == Status::invalid_option) return error_text(view.error());
+  if (view) find_fits();
+  return map_text();
+}
+
+void Lab::find_fits() {
+  fits_.clear();
+  const auto view = session_.view();
+  if (!view || view->space.is_point()) return;
+  fits_.reserve(cells_.size());
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) fits_.push_back(view->space.passable(Cell{x, y}) ? 1 : 0);
+  }
+}
+
+void Lab::forget_search() {
+  replay_.begin(0, 0, 0);
+  pyramid_.set_replay(replay_);
+  points_.clear();
+  values_ = {};
+}
+
+std::string Lab::plan(const Task& task) {
+  auto spec = spec_of(task.planner, "planner", planners().names());
+  if (!spec) return error_text(spec.error());
+  moves_ = {};
+  PlanRequest request;
+  request.start = frame_.to_metres(task.start);
+  const MapPose goal = frame_.to_metres(task.goal);
+  request.goals = {{.point = {goal.x, goal.y}}};
+  if (task.headings) request.goals.front().heading = goal.heading;
+  request.planner = task.record ? without_leaps(*std::move(spec)) : *std::move(spec);
+  request.nearest = task.nearest;
+  if (task.expansions > 0) request.limits.expansions = static_cast<std::uint64_t>(task.expansions);
+  if (task.seconds > 0) request.limits.seconds = task.seconds;
+  if (!task.smoother.empty()) {
+    const auto smoother = spec_of(task.smoother, "smoother", smoothers().names());
+    if (!smoother) return error_text(smoother.error());
+    request.refinement.smoother = SmootherChoice{smoother->name, smoother->options};
+  }
+  forget_search();
+  if (task.record) {
+    replay_.begin(width_, height_, unit_of(session_, request.planner));
+    request.observer = &replay_;
+  }
+  const auto answer = session_.plan(request);
+  if (task.record) pyramid_.set_replay(replay_);
+  goal_ = cell_at(task.goal.point());
+  if (!answer) return failure_text(answer.error(), replay_.steps());
+  if (answer->moves) moves_ = *answer->moves;
+  put(answer->path());
+  return plan_text(*answer, replay_.steps());
+}
+
+void Lab::put(const Path& path) {
+  const auto append = [&](const Pose& pose) {
+    points_.insert(points_.end(), {pose.x, pose.y, pose.heading});
+  };
+  const std::vector<Pose> poses = path.poses();
+  const std::vector<Arc> arcs = path.arcs();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    append(poses[i]);
+    if (i >= arcs.size()) continue;
+    // The page draws lines: an arc becomes some.
+    const Arc& arc = arcs[i];
+    const int lines = static_cast<int>(std::ceil(std::abs(arc.turn()) / kTurnOfALine));
+    for (int line = 1; line < lines; ++line) append(pose_on(arc, arc.length * line / lines));
+  }
+}
+
+std::string Lab::cell(Cell cell) {
+  points_.clear();
+  const auto view = session_.view();
+  if (!view) return error_text(view.error());
+  if (!view->space.contains(cell)) return error_text({Status::invalid_map, "not on the map"});
+  const auto index = static_cast<std::uint32_t>(cell.y * width_ + cell.x);
+  if (replay_.width() != 0) {
+    std::uint32_t at = index;
+    // A chain without end cannot be, but for a search that was stopped while it changed parents.
+    for (std::size_t i = 0; i < cells_.size() && at != Replay::kNone; ++i) {
+      points_.insert(points_.end(), {at % static_cast<std::uint32_t>(width_) + 0.5,
+                                     at / static_cast<std::uint32_t>(width_) + 0.5, 0.0});
+      at = replay_.parent()[at];
+    }
+  }
+  return cell_text(view->space, cell, cells_[index], replay_);
+}
+
+void Lab::paint(const View& view, std::uint32_t step) {
+  pixels_.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+  View drawn = view;
+  drawn.y_up = frame_.y_up;
+  values_.of_cells = value_of_cell_;
+  const bool known = values_.of_search ? replay_.width() != 0 : true;
+  lab::paint({.cells = cells_,
+              .fits = fits_,
+              .width = width_,
+              .height = height_,
+              .pyramid = pyramid_,
+              .replay = replay_,
+              .step = std::min(step, replay_.steps()),
+              .values = known && !value_of_cell_.empty() ? values_ : Values{}},
+             drawn, palette_, pixels_);
+}
+
+}  // namespace wend::lab

@@ -1,0 +1,98 @@
+#pragma once
+
+// Lab: what a worker of the page keeps: a map as bytes, a Session on it, the replay of the last search, and what
+// the painter needs. Answers are JSON; an error is {"error": "...", "status": "..."}.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lab/wasm/painter.hpp"
+#include "lab/wasm/pyramid.hpp"
+#include "lab/wasm/replay.hpp"
+#include "wend/session/session.hpp"
+
+namespace wend::lab {
+
+/// A cell as it is to be.
+struct CellByte {
+  std::uint32_t index;  // row by row
+  std::uint32_t byte;   // see cells.hpp
+};
+
+/// What to plan.
+struct Task {
+  Pose start;                 // grid coordinates
+  Pose goal;                  // grid coordinates
+  bool headings;              // of the goal count
+  bool record;                // for a replay
+  bool nearest;               // moves blocked ends
+  double expansions;          // the most; 0: no limit
+  double seconds;             // the most; 0: no limit
+  std::string_view planner;   // "astar:weight=2"
+  std::string_view smoother;  // "gradient:..."; empty: none
+};
+
+class Lab {
+ public:
+  /// Takes a map from cells of the page.
+  std::string load(std::span<const std::uint8_t> cells, int width, int height, const Frame& frame);
+  /// Makes one: "maze:corridor_width=2".
+  std::string generate(std::string_view spec, int width, int height, std::uint64_t seed);
+  /// Changes cells.
+  std::string edit(std::span<const CellByte> changes);
+  /// "point", "disc:0.3" or a polygon in metres, and the distance and cost of clearance.
+  std::string set_robot(std::string_view footprint, double clearance_distance,
+                        double clearance_cost, bool unknown_free);
+
+  /// Plans; points() then has the path.
+  std::string plan(const Task& task);
+  /// Everything about a cell; points() then has its chain of parents.
+  std::string cell(Cell cell);
+  /// Computes the values of a layer by its LayerKind's name; "order" for none.
+  std::string show(std::string_view layer);
+
+  /// Paints into pixels().
+  void paint(const View& view, std::uint32_t step);
+
+  /// The bytes of the map, row by row.
+  const std::vector<std::uint8_t>& cells() const { return cells_; }
+  /// x, y and heading of each point of the last path or chain, in grid coordinates.
+  const std::vector<double>& points() const { return points_; }
+  const std::vector<std::uint32_t>& pixels() const { return pixels_; }
+  Palette& palette() { return palette_; }
+  const Replay& replay() const { return replay_; }
+
+ private:
+  std::string take(GridMap map);
+  std::string map_text() const;
+  void forget_search();
+  void find_fits();
+  void put(const Path& path);
+  void show_search(std::string_view layer);
+  std::optional<std::string> show_field(std::string_view layer);
+  void find_range();
+  std::string answer_text(const PlanAnswer& answer, std::string_view planner) const;
+
+  Session session_;
+  std::vector<std::uint8_t> cells_;
+  std::vector<std::uint8_t> fits_;
+  int width_ = 0;
+  int height_ = 0;
+  Frame frame_;
+  Replay replay_;
+  Pyramid pyramid_;
+  Palette palette_{};
+  std::vector<std::uint32_t> pixels_;
+  std::vector<double> points_;
+  std::string layer_ = "order";
+  Values values_;
+  std::vector<float> value_of_cell_;
+  std::optional<Cell> goal_;
+  GridMoves moves_;
+};
+
+}  // namespace wend::lab

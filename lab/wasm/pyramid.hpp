@@ -1,0 +1,40 @@
+#pragma once
+
+// Pyramid: a map at half, a quarter, ... of its size, for pictures that show several cells a pixel. Each level
+// keeps how many cells of a block are obstacles, the least step of expansion and of generation in it, and its
+// dearest ground. So nothing vanishes, however far one looks from.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lab/wasm/replay.hpp"
+
+namespace wend::lab {
+
+struct Level {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t>
+      obstacles;  // 255: all cells of the block; 0: none; at least 1 if there is one
+  std::vector<std::uint8_t> ground;       // the dearest free cell; 255 if all are unknown; 0: none
+  std::vector<std::uint32_t> expansion;   // the least, 0: none
+  std::vector<std::uint32_t> generation;  // the least, 0: none
+};
+
+class Pyramid {
+ public:
+  /// Makes the levels of a map. O(cells).
+  void set_map(std::span<const std::uint8_t> cells, int width, int height);
+  /// Takes over the steps of a search on this map, or of none. O(cells).
+  void set_replay(const Replay& replay);
+
+  /// The level with blocks of 2^(i + 1) x 2^(i + 1) cells, from 0.
+  const Level& level(int i) const { return levels_[static_cast<std::size_t>(i)]; }
+  int levels() const { return static_cast<int>(levels_.size()); }
+
+ private:
+  std::vector<Level> levels_;
+};
+
+}  // namespace wend::lab
