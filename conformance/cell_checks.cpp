@@ -27,19 +27,22 @@ constexpr std::uint64_t kFewMaps = 100;  // on fewer, chance decides how many pa
 void hold_to_its_path(Examination& examination, const Plan& plan, const Reference& reference,
                       const GridMap& map, const TestQuery& query) {
   const PlannerInfo& info = examination.info();
-  const auto cells = plan.path.cells();
-  if (cells.empty()) return examination.violate("a path of cells", "an empty one");
+  if (plan.path.empty()) return examination.violate("a path of cells", "an empty one");
   const std::vector<Cell> ends = query.ends(map);
-  if (std::ranges::find(ends, cells.back()) == ends.end()) {
-    examination.violate("a path to a goal",
-                        fmt::format("one to ({},{})", cells.back().x, cells.back().y));
+  const Cell last = cell_at(plan.path.points().back());
+  if (std::ranges::find(ends, last) == ends.end()) {
+    examination.violate("a path to a goal", fmt::format("one to ({},{})", last.x, last.y));
   }
-  const std::string fault = info.capabilities.any_angle
-                                ? reference.any_angle_fault(cells, query.start, cells.back())
-                                : reference.fault(cells, query.start, cells.back());
+  const auto cells = plan.path.cells();
+  const auto waypoints = plan.path.waypoints();
+  const std::string fault = !info.capabilities.any_angle ? reference.fault(cells, query.start, last)
+                            : waypoints.empty()
+                                ? reference.any_angle_fault(cells, query.start, last)
+                                : reference.waypoint_fault(waypoints, query.start, last);
   if (!fault.empty()) examination.violate("a legal path", fault);
-  const double cost =
-      info.capabilities.any_angle ? reference.any_angle_cost_of(cells) : reference.cost_of(cells);
+  const double cost = !info.capabilities.any_angle ? reference.cost_of(cells)
+                      : waypoints.empty()          ? reference.any_angle_cost_of(cells)
+                                                   : reference.length_of(waypoints);
   if (!(std::abs(plan.cost - cost) <= kRelative * std::max(1.0, cost))) {
     examination.violate(fmt::format("cost {}, that of its path", cost),
                         fmt::format("cost {}", plan.cost));
@@ -48,11 +51,28 @@ void hold_to_its_path(Examination& examination, const Plan& plan, const Referenc
   const SearchMetrics& metrics = plan.metrics;
   const bool repeats = info.capabilities.leaps && !reference.uniform();
   if ((!repeats && metrics.generated < metrics.expanded) ||
-      (!jumps_on(reference.uniform(), info.capabilities) && metrics.expanded < cells.size())) {
+      (!jumps_on(reference.uniform(), info.capabilities) && metrics.expanded < plan.path.size())) {
     examination.violate(
-        fmt::format("every of {} cells expanded, and generated before", cells.size()),
+        fmt::format("every of {} cells expanded, and generated before", plan.path.size()),
         fmt::format("{} generated, {} expanded", metrics.generated, metrics.expanded));
   }
+}
+
+/// Checks a path at any angle that claims to be the shortest. On small maps: all lines between corners are tried.
+void hold_to_the_shortest(Examination& examination, const Plan& plan, const Reference& reference,
+                          const GridMap& map, const TestQuery& query) {
+  constexpr std::uint64_t kSmall = 80;  // cells
+  if (!plan.optimal() || plan.path.waypoints().empty() || map.size() > kSmall) return;
+  Visibility visibility = reference.visibility();
+  visibility.join_corners();
+  const std::vector<double> lengths = visibility.lengths_from(query.start);
+  double shortest = kInfinite;
+  for (const Cell end : query.ends(map)) {
+    if (map.contains(end)) shortest = std::min(shortest, lengths[visibility.number(end.x, end.y)]);
+  }
+  if (std::abs(plan.cost - shortest) <= kRelative * (1 + shortest)) return;
+  examination.violate(fmt::format("cost {}, that of the shortest path at any angle", shortest),
+                      fmt::format("cost {}, bound {}", plan.cost, plan.bound));
 }
 
 /// Checks a plan against what its planner guarantees.
@@ -102,6 +122,7 @@ void hold_to_the_truth(Examination& examination, Planner& planner, const Referen
   }
   hold_to_its_path(examination, answer.plan, reference, map, query);
   hold_to_its_guarantee(examination, answer.plan, truth, slack_on(planner.free_space()));
+  hold_to_the_shortest(examination, answer.plan, reference, map, query);
 }
 
 /// The map with its rows in the opposite order.
@@ -231,9 +252,9 @@ void examine_start_is_goal(Examination& examination, std::uint64_t seed) {
     }
     return;
   }
-  const auto cells = answer.plan.path.cells();
-  const bool is_there = answer.status == Status::found && cells.size() == 1 &&
-                        cells.front() == cell && answer.plan.cost == 0;
+  const std::vector<Point> points = answer.plan.path.points();
+  const bool is_there = answer.status == Status::found && points.size() == 1 &&
+                        points.front() == centre_of(cell) && answer.plan.cost == 0;
   if (!is_there) examination.violate("a path of that cell, at cost 0", text_of(answer));
   if (!(answer.plan.metrics == SearchMetrics{1, 1, 1})) {
     examination.violate("1 generated, 1 expanded, frontier 1", text_of(answer));

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/visibility.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend::test {
@@ -54,12 +55,10 @@ inline double distance_to_square(double x, double y, Cell square) {
                     distance_to_interval(square.y, square.y + 1, y));
 }
 
-/// Distance from the segment between the centres of two neighbouring cells to the closed square of
-/// a third: the least over t of a convex function, by ternary search.
-inline double distance_to_square(Cell from, Cell to, Cell square) {
+/// Distance from a segment to the closed square of a cell: the least over t of a convex function, by ternary search.
+inline double distance_to_square(Point from, Point to, Cell square) {
   const auto at = [&](double t) {
-    return distance_to_square(from.x + 0.5 + t * (to.x - from.x),
-                              from.y + 0.5 + t * (to.y - from.y), square);
+    return distance_to_square(from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), square);
   };
   double low = 0;
   double high = 1;
@@ -72,6 +71,12 @@ inline double distance_to_square(Cell from, Cell to, Cell square) {
     }
   }
   return std::min({at(0), at(1), at((low + high) / 2)});
+}
+
+/// The same between the centres of two cells.
+inline double distance_to_square(Cell from, Cell to, Cell square) {
+  return distance_to_square(Point{from.x + 0.5, from.y + 0.5}, Point{to.x + 0.5, to.y + 0.5},
+                            square);
 }
 
 class Reference {
@@ -153,6 +158,43 @@ class Reference {
     return fault(path, from, to, "line", [&](Cell a, Cell b) { return is_free_line(a, b); });
   }
 
+  /// The same for waypoints. A point is held to the rules of Visibility, a disc keeps its distance.
+  std::string waypoint_fault(std::span<const Point> path, Cell from, Cell to) const {
+    if (robot_.radius == 0) return visibility().fault(path, from, to);
+    if (path.empty() || path.front() != centre_of(from) || path.back() != centre_of(to)) {
+      return "the path does not join start and goal";
+    }
+    if (!passable(from) || !passable(to)) return "an end is blocked";
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Point a = path[i - 1];
+      const Point b = path[i];
+      const auto near = [&](Cell square) { return distance_to_square(a, b, square); };
+      const int reach = static_cast<int>(std::ceil(robot_.radius)) + 1;
+      for (int y = floor_of(std::min(a.y, b.y)) - reach; y <= std::max(a.y, b.y) + reach; ++y) {
+        for (int x = floor_of(std::min(a.x, b.x)) - reach; x <= std::max(a.x, b.x) + reach; ++x) {
+          if (is_obstacle({x, y}) && near({x, y}) < robot_.radius - 1e-7) {
+            return "line " + std::to_string(i) + " is too near to an obstacle";
+          }
+        }
+      }
+    }
+    return {};
+  }
+
+  static double length_of(std::span<const Point> path) {
+    double length = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+    }
+    return length;
+  }
+
+  /// The shortest paths of a point among the passable cells.
+  Visibility visibility() const {
+    const auto free = [this](Cell cell) { return passable(cell); };
+    return {map_.width(), map_.height(), free, rules_.diagonals && rules_.corners_cut == 2};
+  }
+
   /// The cheapest cost from one cell to every cell (Dijkstra).
   std::vector<double> costs_from(Cell start) const {
     return spread(start, [](const Edge& edge) { return edge.cost; });
@@ -169,6 +211,8 @@ class Reference {
   }
 
  private:
+  static int floor_of(double value) { return static_cast<int>(std::floor(value)); }
+
   struct Edge {
     std::size_t to;
     double cost;

@@ -151,6 +151,52 @@ static void check_session(void) {
   wend_session_free(session);
 }
 
+/* A car in a yard of 4 m x 4 m. */
+static void check_drive(void) {
+  static const uint8_t kYard[40 * 40] = {0};
+  const wend_pose goal = {2, 3, 3};
+  const wend_pose wall = {2, 3.98, 0};
+  const wend_pose* poses;
+  size_t count;
+  wend_map* map = NULL;
+  wend_robot* robot = make_robot();
+  wend_session* session = NULL;
+  wend_plan* plan = NULL;
+  wend_map_options options;
+  wend_session_options edges;
+  wend_request request;
+  wend_error error;
+  CHECK(wend_map_options_init(&options, sizeof options) == WEND_OK);
+  options.resolution = 0.1;
+  CHECK(wend_map_create(kYard, sizeof kYard, 40, 40, &options, &map, NULL) == WEND_OK);
+  CHECK(wend_session_options_init(&edges, sizeof edges) == WEND_OK);
+  edges.outside = WEND_POLICY_BLOCKED;
+  CHECK(wend_session_create(map, robot, &edges, &session, NULL) == WEND_OK);
+  wend_robot_free(robot);
+  wend_map_free(map);
+  CHECK(wend_request_init(&request, sizeof request) == WEND_OK);
+  request.start.x = request.start.y = 1;
+  request.start.heading = 0;
+  request.goals = &goal;
+  request.goal_count = 1;
+  request.planner = "hybrid_astar:turning_radius=0.5";
+  request.spacing = 0.05;
+  CHECK(wend_session_plan(session, &request, &plan, &error) == WEND_OK);
+  count = wend_plan_pose_count(plan);
+  poses = wend_plan_poses(plan);
+  CHECK(count > 40 && poses[0].x == 1 && poses[0].heading == 0);
+  CHECK(fabs(poses[count - 1].y - 3) < 1e-6 && fabs(poses[count - 1].heading - 3) < 1e-6);
+  CHECK(wend_plan_length(plan) > 2 && wend_plan_cost(plan) * 0.1 >= wend_plan_length(plan) - 1e-6);
+  wend_plan_free(plan);
+  request.goals = &wall;
+  CHECK(wend_session_plan(session, &request, &plan, &error) == WEND_GOAL_BLOCKED && plan == NULL);
+  CHECK(strstr(error.message, "corner reaches over the map's edge") != NULL);
+  request.planner = "hybrid_astar:turning_radius=0";
+  CHECK(wend_session_plan(session, &request, &plan, &error) == WEND_INVALID_OPTION);
+  CHECK(strstr(error.message, "differential") != NULL);
+  wend_session_free(session);
+}
+
 int main(void) {
   CHECK(wend_abi_version() == WEND_ABI_VERSION);
   CHECK(strlen(wend_version()) > 0);
@@ -158,5 +204,6 @@ int main(void) {
   check_map();
   check_costs();
   check_session();
+  check_drive();
   return failures == 0 ? 0 : 1;
 }

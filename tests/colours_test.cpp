@@ -75,11 +75,26 @@ TEST(ColoursPage, ListsTheColoursOfEveryStyle) {
 
 TEST(ColoursPage, ListsTheColoursOfPlots) {
   const std::string text = page();
-  for (const std::string name :
-       {"astar, p", "dijkstra, p_moving", "jps, pid", "hub_labels, pure_pursuit",
-        "corner_hierarchy, stanley", "boost-astar", "greedy", "bfs", "dfs", "random_walk", "car",
-        "theta_star", "lazy_theta_star", "lattice", "alt", "replanner", "d_star_lite",
-        "hybrid_astar", "others"}) {
+  for (const std::string name : {"astar, p",
+                                 "dijkstra, p_moving",
+                                 "jps, pid",
+                                 "hub_labels, pure_pursuit",
+                                 "corner_hierarchy, stanley",
+                                 "boost-astar",
+                                 "greedy",
+                                 "bfs",
+                                 "dfs",
+                                 "random_walk",
+                                 "car",
+                                 "theta_star",
+                                 "lazy_theta_star",
+                                 "lattice",
+                                 "alt",
+                                 "replanner",
+                                 "d_star_lite",
+                                 "hybrid_astar",
+                                 "any_angle",
+                                 "others"}) {
     const std::vector<std::string> first{name.substr(0, name.find(','))};
     const std::size_t colour =
         name == "others" ? kLightPlot.names.size() - 1 : plot_colours_of(first).front();

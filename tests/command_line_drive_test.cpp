@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "command_line/run_program.hpp"
+#include "wend/render/animation/gif_test_support.hpp"
 
 namespace wend::test {
 namespace {
@@ -63,6 +64,37 @@ TEST_F(DriveCommand, WritesThePosesToDriveAndTheirGears) {
     const auto after = dense.at("poses_m").at(i).get<std::vector<double>>();
     EXPECT_LT(std::hypot(after[0] - before[0], after[1] - before[1]), 0.16);
   }
+}
+
+TEST_F(DriveCommand, DrawsTheTreeOfItsMotions) {
+  const std::string svg = folder_ / "tree.svg";
+  const std::string plain = folder_ / "plain.svg";
+  ASSERT_EQ(run("plan", {"--show", "expansion", "-o", svg}).code, 0);
+  ASSERT_EQ(run("plan", {"-o", plain}).code, 0);
+  const auto curves_in = [](const std::string& file) {
+    const std::string text = bytes_of(file);
+    std::size_t count = 0;
+    for (std::size_t at = text.find(" C "); at != std::string::npos;
+         at = text.find(" C ", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_GT(curves_in(svg), curves_in(plain) + 5);
+}
+
+TEST_F(DriveCommand, KeepsTheGrowingTreeAsAFilm) {
+  const std::string film = folder_ / "search.gif";
+  const json planned = plan({"-o", film, "--speed", "20"});
+  const Decoded shown = decoded(bytes_of(film));
+  const auto expanded = planned.at("metrics").at("expanded").get<std::size_t>();
+  EXPECT_EQ(shown.frames.size(), expanded + 1) << "one after each expansion, and the outcome";
+  const auto& first = shown.frames.front().image;
+  const auto& middle = shown.frames[expanded - 1].image;
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) changed += first.values()[i] != middle.values()[i];
+  EXPECT_GT(changed, 100U) << "pixels of motions";
+  EXPECT_LT(changed, first.size() / 10) << "lines, not cells";
 }
 
 TEST_F(DriveCommand, SmoothsByTheSmootherOfDrives) {

@@ -198,6 +198,17 @@ TEST(Snippets, OfSearchRecorderAndLayer) {
   EXPECT_TRUE(driven.expansions().empty());
 }
 
+TEST(Snippets, OfMotionTree) {
+  wend::SearchRecorder recorder(open_ground(), 1);
+  wend::Query query{{1.5, 1.5, 0}, {wend::Goal(wend::Pose{8.5, 5.5, 0})}};
+  query.observer = &recorder;
+  ASSERT_TRUE((*wend::make_planner("hybrid_astar", open_ground()))->plan(query));
+  std::size_t poses = 0;
+  const wend::MotionTree& tree = recorder.motions();
+  for (std::size_t i = 0; i < tree.size(); ++i) poses += tree.branch(i).size();
+  EXPECT_GT(poses, 0U);
+}
+
 TEST(Snippets, OfScene) {
   const wend::FreeSpace& space = open_ground();
   const auto planner = wend::make_planner("astar", space);

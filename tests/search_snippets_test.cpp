@@ -27,6 +27,10 @@
 #include "wend/search/frontiers.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/links.hpp"
+#include "wend/sight/corner_sweep.hpp"
+#include "wend/sight/portals.hpp"
+#include "wend/sight/taut_graph.hpp"
+#include "wend/sight/taut_map.hpp"
 #include "wend/space/grid/grid_space.hpp"
 #include "wend/space/grid/sight_grid.hpp"
 #include "wend/space/lattice/motion_steps.hpp"
@@ -94,6 +98,45 @@ TEST(SearchSnippets, OfLinksAndSightGrid) {
   EXPECT_EQ(search.run(), wend::SearchOutcome::found);
   EXPECT_DOUBLE_EQ(search.g(search.goal().number), 8 * std::sqrt(2))
       << "past the corner of the wall";
+}
+
+TEST(SearchSnippets, OfCornersAndTheirSight) {
+  const wend::FreeSpace& space = walled_ground();
+  std::vector<Cell> marked;
+  const auto mark = [&](int x, int y) { marked.push_back({x, y}); };
+  const wend::Portals portals(space.passable());
+  for (const wend::TautCorner& corner : portals.corners()) mark(corner.x, corner.y);
+  EXPECT_EQ(marked, (std::vector<Cell>{{4, 4}, {5, 4}})) << "the end of the wall";
+
+  std::vector<std::uint32_t> seen;
+  const auto see = [&](std::uint32_t corner, wend::Ray ray) {
+    seen.push_back(corner);
+    EXPECT_EQ(ray.y, 1);
+  };
+  wend::CornerSweep sweep(portals);
+  sweep.from_cell({0, 3}, [&](std::uint32_t corner, wend::Ray ray) { see(corner, ray); });
+  EXPECT_EQ(seen, std::vector<std::uint32_t>{0}) << "the other one lies behind it";
+
+  wend::TautGraph graph(std::make_shared<const wend::Portals>(portals));
+  double reached = 0;
+  const auto reach = [&](const wend::TautGraph::Edge& edge) {
+    EXPECT_EQ(edge.to, 1U);
+    reached = edge.length;
+  };
+  const wend::Ray ray{7, 1};
+  const std::uint32_t corner = 0;
+  const wend::TautGraph::Edges ahead = graph.ahead_of(corner, ray);
+  for (std::uint32_t i = ahead.begin; i < ahead.end; ++i) reach(graph.edge(i));
+  EXPECT_EQ(reached, 1);
+
+  marked.clear();
+  const auto mark_corner = [&](std::uint32_t number) {
+    marked.push_back({static_cast<int>(number), 0});
+  };
+  const auto shared = std::make_shared<const wend::Portals>(portals);
+  const auto map = wend::TautMap::make(shared, wend::TautMap::usual_most_bytes(*shared));
+  if (map != nullptr) map->for_each_seen({0, 3}, mark_corner);
+  EXPECT_EQ(marked, std::vector<Cell>{Cell{}});
 }
 
 TEST(SearchSnippets, OfGoalCosts) {

@@ -16,12 +16,16 @@ std::string wrong_answer(const FreeSpace& space, GridMoves moves, const Scenario
                        format_number(query.length));
   }
   const auto cells = plan.path.cells();
-  if (cells.empty() || cells.front() != query.start || cells.back() != query.goal) {
-    return "the path does not join start and goal";
-  }
-  const auto length = kind == PathKind::lines
+  const auto waypoints = plan.path.waypoints();
+  const bool joins = waypoints.empty() ? !cells.empty() && cells.front() == query.start &&
+                                             cells.back() == query.goal
+                                       : waypoints.front() == centre_of(query.start) &&
+                                             waypoints.back() == centre_of(query.goal);
+  if (!joins) return "the path does not join start and goal";
+  const auto length = kind != PathKind::lines ? check_grid_path(space, moves, cells)
+                      : waypoints.empty()
                           ? check_any_angle_path(space, moves.adjacency(), cells)
-                          : check_grid_path(space, moves, cells);
+                          : check_any_angle_path(space, moves.adjacency(), waypoints);
   if (!length) return "not a valid path: " + length.error().what;
   if (query.says_no_path()) {
     return fmt::format("found a path of length {:.8g}, expected none", *length);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/measure/command.hpp"
@@ -22,6 +23,14 @@
 namespace wend::bench {
 namespace {
 
+/// hybrid_astar with one option changed at a time.
+constexpr std::string_view kVariants =
+    "hybrid_astar,hybrid_astar:weight=1,hybrid_astar:weight=1.2,hybrid_astar:weight=2,"
+    "hybrid_astar:headings=16,hybrid_astar:headings=72,"
+    "hybrid_astar:motion_length=0.1,hybrid_astar:motion_length=0.4,"
+    "hybrid_astar:reverse_factor=1,hybrid_astar:reverse_factor=5,hybrid_astar:gear_change_cost=1,"
+    "hybrid_astar:turn_factor=1,hybrid_astar:allow_reverse=false,hybrid_astar:turning_radius=0.8";
+
 struct Se2Arguments {
   std::vector<std::filesystem::path> files;
   std::string planners = "lattice";
@@ -30,6 +39,7 @@ struct Se2Arguments {
   std::uint64_t seed = 1;
   bool generated = true;
   bool curves = false;
+  bool options = false;
   Se2Settings settings{};
 };
 
@@ -67,6 +77,13 @@ double mean_cost(const Se2Run& run) {
   return mean(costs);
 }
 
+/// Of the poses that were reached, those by curves of several motions, not by one short motion.
+std::string share_of_curves(const Se2Run& run) {
+  if (run.reached == 0) return "";
+  const double share = static_cast<double>(run.by_curves) / static_cast<double>(run.reached);
+  return fmt::format("{:.1f} %", 100 * share);
+}
+
 std::string ms(double value) { return fmt::format("{:.3g}", value); }
 
 /// The tables of one map, and what went wrong on it.
@@ -90,8 +107,8 @@ class MapReport {
                   fmt::format("{:.0f}", at(run.expanded, 0.5)),
                   fmt::format("{:.0f}", at(run.expanded, 0.99)),
                   fmt::format("{:.0f}", expanded == 0 ? 0 : total_ms * 1e6 / expanded),
-                  fmt::format("{:.3f}", mean_cost(run)), costs_against(run, first),
-                  fmt::format("{:.2f}", run.length / solved),
+                  share_of_curves(run), fmt::format("{:.3f}", mean_cost(run)),
+                  costs_against(run, first), fmt::format("{:.2f}", run.length / solved),
                   fmt::format("{:.2f}", static_cast<double>(run.gear_changes) / solved),
                   fmt::format("{}", run.faults.size())});
     for (const std::string& why : run.unsolved) complain(robot, planner, "unsolved", why);
@@ -101,7 +118,7 @@ class MapReport {
 
   void add_boost(const std::string& robot, const std::vector<double>& times) {
     queries_.add({robot, "Boost's A* on cells", ms(at(times, 0.5)), ms(at(times, 0.9)),
-                  ms(at(times, 0.99)), ms(at(times, 1)), "", "", "", "", "", "", "", "", ""});
+                  ms(at(times, 0.99)), ms(at(times, 1)), "", "", "", "", "", "", "", "", "", ""});
   }
 
   std::size_t faults() const { return faults_; }
@@ -131,6 +148,7 @@ class MapReport {
                           {"expanded, median"},
                           {"p99"},
                           {"ns each"},
+                          {"by curves"},
                           {"cost, m"},
                           {"to the first"},
                           {"length, m"},
@@ -176,7 +194,8 @@ int run(const Se2Arguments& arguments) {
     fmt::print("{}{}", table.text, table.differences);
     return table.differences.empty() ? 0 : 1;
   }
-  const auto planners = parse_planner_specs(arguments.planners);
+  const auto planners =
+      parse_planner_specs(arguments.options ? kVariants : std::string_view(arguments.planners));
   if (!planners) {
     fmt::print(stderr, "--planner: {}\n", planners.error().message);
     return 2;
@@ -232,6 +251,9 @@ int main(int argc, char** argv) {
   app.add_flag(
       "--exhaustive", arguments.settings.exhaustive,
       "look for drives of unsolved queries by an exhaustive search, which takes seconds each");
+  app.add_flag(
+      "--options", arguments.options,
+      "compare hybrid_astar with itself, one option changed at a time, instead of --planner");
   app.add_flag("--curves", arguments.curves, "time Dubins and Reeds-Shepp curves instead");
   return wend::bench::parse_and_run(app, argc, argv, [&] {
     wend::bench::stay_on_one_core();

@@ -61,6 +61,41 @@ void note_path(const FreeSpace& space, const Query& query, const Plan& plan, dou
   run.costs.emplace_back(plan.cost * resolution);
 }
 
+/// Counts how poses are reached.
+class CurveCounter final : public SearchObserver {
+ public:
+  explicit CurveCounter(Se2Run& run) : run_(run) {}
+
+  /// Has there been no event of continuous poses?
+  bool in_vain() const { return in_vain_; }
+
+  void on_generate(const SearchEvent& event) override {
+    in_vain_ = in_vain_ && event.way.empty();
+    if (event.way.size() < 2) return;
+    ++run_.reached;
+    run_.by_curves += event.way.size() > 2 ? 1 : 0;
+  }
+  void on_expand(const SearchEvent& /*event*/) override {}
+  void on_relax(const SearchEvent& event) override { on_generate(event); }
+
+ private:
+  Se2Run& run_;
+  bool in_vain_ = true;
+};
+
+/// Asks the solved queries once more, for a planner of continuous poses.
+void count_curves(Planner& planner, const std::vector<Query>& queries, Se2Run& run) {
+  CurveCounter counter(run);
+  Plan plan;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (!run.costs[i]) continue;
+    Query query = queries[i];
+    query.observer = &counter;
+    planner.plan(query, plan);
+    if (counter.in_vain()) return;
+  }
+}
+
 std::string verdict(const FreeSpace& space, const Query& query, double radius) {
   const ExhaustiveAnswer answer = exhaustive_drive(space, query, radius);
   return fmt::format("; the exhaustive search {} after {} states",
@@ -101,6 +136,7 @@ Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
                                        settings.exhaustive ? verdict(space, query, radius) : ""));
   }
   run.resident_mb = (resident_bytes() - resident) / 1e6;
+  count_curves(**planner, queries, run);
   return run;
 }
 

@@ -27,6 +27,9 @@ struct Se2Run {
   double resident_mb = 0;     // more memory in use after all queries than before making the planner
   std::vector<double> ms;     // of each query
   std::vector<double> expanded;
+  std::uint64_t reached =
+      0;  // poses of all searches; counted in runs of their own, for planners of continuous poses
+  std::uint64_t by_curves = 0;               // of these, by curves of several motions
   std::vector<std::optional<double>> costs;  // m, of each query; nothing without a path
   double length = 0;                         // m, of all paths
   std::size_t gear_changes = 0;

@@ -98,7 +98,8 @@ class Entry {
     const auto count = static_cast<double>(queries.size());
     for (const ScenarioQuery& query : queries) {
       const Status status = planner_->plan(Query::between(query.start, query.goal), plan_);
-      if (!wrong_answer(space_, {}, query, status, plan_).empty()) ++timing_.wrong;
+      const PathKind kind = info_.capabilities.any_angle ? PathKind::lines : PathKind::steps;
+      if (!wrong_answer(space_, {}, query, status, plan_, kind).empty()) ++timing_.wrong;
       timing_.expanded += static_cast<double>(plan_.metrics.expanded) / count;
       path_cells += static_cast<double>(plan_.path.size()) / count;
     }

@@ -127,7 +127,7 @@ std::string CellQuery::steps(const Plan& plan, const Screen& screen) const {
 std::string CellQuery::summary(const PlanResult& result) const {
   std::string goal;
   if (goals_.size() > 1) {
-    goal = goal_line(coordinates_.text(result.plan.path.cells().back()), goals_.size());
+    goal = goal_line(coordinates_.text(cell_at(result.plan.path.points().back())), goals_.size());
   }
   return goal + robot_line(space_, coordinates_) + plan_summary(result, space_.map().frame());
 }

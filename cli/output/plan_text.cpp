@@ -95,10 +95,12 @@ std::string time_text(double seconds) {
 
 std::string path_line(const Path& path) {
   std::string text;
-  for (const Cell cell : path.cells()) {
+  const auto append = [&text](const std::string& joint) {
     if (!text.empty()) text += '>';
-    text += cell_text(cell);
-  }
+    text += joint;
+  };
+  for (const Cell cell : path.cells()) append(cell_text(cell));
+  for (const Point point : path.waypoints()) append(fmt::format("{},{}", point.x, point.y));
   return text + '\n';
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <thread>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "cli/watching/console.hpp"
 #include "cli/watching/frame.hpp"
 #include "cli/watching/narrator.hpp"
+#include "wend/analysis/layer.hpp"
 #include "wend/render/animation/gif.hpp"
 #include "wend/render/picture/drawing.hpp"
 
@@ -84,6 +86,18 @@ Scene with_snapshot(Scene scene, const SearchSnapshot& snapshot) {
   return scene;
 }
 
+Scene scene_after(const Scene& base, const SearchRecorder& recorder, std::size_t expansions) {
+  const MotionTree& motions = recorder.motions();
+  if (motions.empty()) return with_snapshot(base, recorder.snapshot(expansions));
+  Scene scene = base;
+  const HeatRange range{1, static_cast<double>(motions.size())};
+  const Grid<double> none(scene.space.width(), scene.space.height(),
+                          std::numeric_limits<double>::quiet_NaN());
+  scene.heatmap = {std::string(title_of(LayerKind::expansion)), none, range};
+  scene.motions = motions.beginning(std::max<std::size_t>(expansions, 1));
+  return scene;
+}
+
 std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<double> speed,
                                      std::size_t most) {
   const auto total = static_cast<double>(expansions);
@@ -123,12 +137,11 @@ Expected<std::string, Error> gif_of(const Scene& outcome, const SearchRecorder& 
                                     std::optional<double> speed, const Style& style) {
   const Scene base = without_path(outcome);
   const auto pixels_after = [&](std::size_t expansions) {
-    return draw_pixels(with_snapshot(base, recorder.snapshot(expansions)), kGifWidth, kGifHeight,
-                       style);
+    return draw_pixels(scene_after(base, recorder, expansions), kGifWidth, kGifHeight, style);
   };
   const std::size_t total = recorder.expansions().size();
   const Grid<std::uint32_t> last =
-      draw_pixels(with_snapshot(outcome, recorder.snapshot()), kGifWidth, kGifHeight, style);
+      draw_pixels(scene_after(outcome, recorder, total), kGifWidth, kGifHeight, style);
   std::vector<Grid<std::uint32_t>> samples{last};
   for (std::size_t i = 0; i < kPaletteSamples; ++i) {
     samples.push_back(pixels_after(total * i / kPaletteSamples));

@@ -32,7 +32,11 @@ std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<doubl
 void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& screen,
           const PictureArguments& pictures, std::optional<double> speed);
 
-/// The same as a GIF.
+/// The scene as a picture after that many expansions, with what the search had driven by then if it is one over
+/// continuous poses, else as with_snapshot().
+Scene scene_after(const Scene& base, const SearchRecorder& recorder, std::size_t expansions);
+
+/// The same as a GIF; of a search over continuous poses, the tree of its motions grows.
 Expected<std::string, Error> gif_of(const Scene& outcome, const SearchRecorder& recorder,
                                     std::optional<double> speed, const Style& style);
 

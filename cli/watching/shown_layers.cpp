@@ -100,6 +100,10 @@ Scene with_layer(Scene scene, const Layer& layer) {
     scene.arrows = layer.arrows;
   } else {
     scene.heatmap = heatmap_of(layer, scene.space.map().frame());
+    if (!layer.motions.empty()) {
+      scene.heatmap->range = HeatRange{1, static_cast<double>(layer.motions.size())};
+      scene.motions = layer.motions;
+    }
   }
   return scene;
 }

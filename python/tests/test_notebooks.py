@@ -72,7 +72,7 @@ def texts_of(notebook: Any) -> str:
 
 
 def test_the_notebooks_show_what_they_say(executed: dict[str, Any]) -> None:
-    assert len(NOTEBOOKS) == 7
+    assert len(NOTEBOOKS) == 8
     pages = outputs_of(executed["search"], "text/html")
     assert len(pages) == 4 and all("srcdoc" in page for page in pages)
     assert "shortest           pure_pursuit  collision" in texts_of(executed["robot"])
@@ -84,6 +84,8 @@ def test_the_notebooks_show_what_they_say(executed: dict[str, Any]) -> None:
     assert len(outputs_of(executed["costs"], "image/png")) == 4
     says, sums = texts_of(executed["costs"]).splitlines()[:2]
     assert says.split()[0] == sums.split()[0]
+    assert len(outputs_of(executed["parking"], "image/png")) == 2
+    assert "reached after" in texts_of(executed["parking"])
     assert len(outputs_of(executed["explore"], "image/png")) == 3
     explored = texts_of(executed["explore"])
     assert "a box off the path: 0 states expanded, the same path: True" in explored

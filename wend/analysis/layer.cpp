@@ -101,7 +101,9 @@ std::string_view title_of(LayerKind kind) {
 Layer search_layer(LayerKind kind, const Planner& planner, const SearchRecorder& recorder) {
   assert(source_of(kind) == LayerSource::search);
   if (kind == LayerKind::parent) return {kind, {}, recorder.layers().parent};
-  return {kind, search_numbers(kind, planner, recorder), {}};
+  Layer layer{kind, search_numbers(kind, planner, recorder), {}};
+  if (kind == LayerKind::expansion) layer.motions = recorder.motions();
+  return layer;
 }
 
 Layer cost_to_go_layer(LayerKind kind, const FreeSpace& space, const CostToGo& field) {

@@ -80,6 +80,8 @@ struct Layer {
   LayerKind kind;                         // what the values mean
   Grid<double> numbers;                   // NaN if unknown; empty for directions
   Grid<std::optional<Direction>> arrows;  // empty for numbers
+  /// Of `expansion` with a planner of continuous poses: what was driven, in order; empty for others.
+  MotionTree motions{};
 };
 
 /// A layer of the search that `recorder` observed. The heuristic is that of `planner`'s last query.

@@ -61,6 +61,24 @@ TEST_F(Layers, OfTheOrderCountFromTheStart) {
   });
 }
 
+TEST(LayersOfPoses, OfTheOrderHaveTheMotionsToEachExpansion) {
+  const FreeSpace space = test::open_space(20, 20);
+  const auto planner = *make_planner("hybrid_astar", space, {{"turning_radius", "2"}});
+  SearchRecorder recorder(space, 1);
+  Query query{{3.5, 3.5, 0}, {Goal(Pose{15.5, 12.5, 2})}};
+  query.observer = &recorder;
+  const Plan plan = *planner->plan(query);
+  const Layer order = search_layer(LayerKind::expansion, *planner, recorder);
+  EXPECT_EQ(order.motions.size(), plan.metrics.expanded);
+  ASSERT_FALSE(order.motions.empty());
+  EXPECT_EQ(order.motions.branch(0).front(), query.start);
+  EXPECT_TRUE(search_layer(LayerKind::g, *planner, recorder).motions.empty());
+  recorder.clear();
+  EXPECT_TRUE(recorder.motions().empty());
+}
+
+TEST_F(Layers, OnCellsHaveNoMotions) { EXPECT_TRUE(of(LayerKind::expansion).motions.empty()); }
+
 TEST_F(Layers, ClosedAndFrontierShareOutTheReachedCells) {
   const Layer closed = of(LayerKind::closed);
   const Layer frontier = of(LayerKind::frontier);

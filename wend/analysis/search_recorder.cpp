@@ -48,6 +48,7 @@ void SearchRecorder::on_generate(const SearchEvent& event) {
 void SearchRecorder::on_expand(const SearchEvent& event) {
   expansions_.push_back(event.cell);
   generated_before_.push_back(generated_);
+  if (!event.way.empty()) motions_.add(event.way);
   for_cells_at(event.cell, [this](Cell cell) {
     std::uint32_t& expansion = layers_.expansion[cell];
     if (expansion == 0) expansion = static_cast<std::uint32_t>(expansions_.size());
@@ -72,6 +73,7 @@ void SearchRecorder::write_down(const SearchEvent& event) {
 void SearchRecorder::clear() {
   layers_ = empty_layers(layers_.g.width(), layers_.g.height());
   expansions_.clear();
+  motions_.clear();
   generated_before_.clear();
   generated_ = 0;
 }

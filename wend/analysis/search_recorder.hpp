@@ -16,7 +16,8 @@
 //
 //   wend::SearchRecorder driven(space, 1);
 //
-// 25 bytes a cell, and 12 an expansion; an event of a car takes O(unit^2). A recorder is for one
+// 25 bytes a cell, and 12 an expansion (of a planner of continuous poses, 20 and 24 a pose); an event of a car takes
+// O(unit^2). A recorder is for one
 // search; clear() makes it ready for the next. One thread.
 
 #include <cstddef>
@@ -28,6 +29,7 @@
 #include "wend/geometry/direction.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
+#include "wend/path/motion_tree.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/robot/free_space.hpp"
 
@@ -75,6 +77,9 @@ class WEND_API SearchRecorder final : public SearchObserver {
   /// heading; the layer keeps the first time.
   const std::vector<Cell>& expansions() const { return expansions_; }
 
+  /// What was driven to each of the states expanded, for planners of continuous poses; empty for others.
+  const MotionTree& motions() const { return motions_; }
+
   /// The state after `expansions` expansions (at most expansions().size()), including everything
   /// that the last of them generated. O(cells).
   SearchSnapshot snapshot(std::size_t expansions) const;
@@ -90,6 +95,7 @@ class WEND_API SearchRecorder final : public SearchObserver {
   int unit_;  // 0: cells
   SearchLayers layers_;
   std::vector<Cell> expansions_;
+  MotionTree motions_;
   std::vector<std::uint32_t> generated_before_;  // each expansion
   std::uint32_t generated_ = 0;                  // states, each once
 };

@@ -193,6 +193,8 @@ class WEND_API Path {
   }
   /// Adds a pose, in grid coordinates. The path is empty or made of poses. O(1) amortised.
   void drive_to(const Pose& pose) { made_of<std::vector<Pose>>().push_back(pose); }
+  /// Adds a waypoint, in grid coordinates. The path is empty or made of waypoints. O(1) amortised.
+  void go_to(Point waypoint) { made_of<std::vector<Point>>().push_back(waypoint); }
   /// Reverses the order of the cells, poses or waypoints; headings stay. O(n).
   void reverse();
 

@@ -5,9 +5,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/pose.hpp"
 
 namespace wend {
 
@@ -20,6 +22,9 @@ struct SearchEvent {
   double f;                                // the priority, as the planner orders its frontier
   std::optional<double> heading{};         // radians; for planners of poses
   std::optional<double> parent_heading{};  // the same, if there is a parent
+  /// Of planners of continuous poses: what is driven from the parent to the state, as poses that segments join; the
+  /// state alone at the start. Valid while the observer is told.
+  std::span<const Pose> way{};
 };
 
 /// Receives every event of a search, on the thread that searches.

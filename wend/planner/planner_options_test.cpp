@@ -22,9 +22,9 @@ class PlannerOptionsOf : public ::testing::Test {};
 
 using AllOptions =
     ::testing::Types<AStarOptions, GreedyOptions, DijkstraOptions, BfsOptions, DfsOptions,
-                     RandomWalkOptions, ThetaStarOptions, LazyThetaStarOptions, CarOptions,
-                     LatticeOptions, ReplannerOptions, DStarLiteOptions, AltOptions,
-                     HybridAStarOptions>;
+                     RandomWalkOptions, ShortestAnyAngleOptions, ThetaStarOptions,
+                     LazyThetaStarOptions, CarOptions, LatticeOptions, ReplannerOptions,
+                     DStarLiteOptions, AltOptions, HybridAStarOptions>;
 TYPED_TEST_SUITE(PlannerOptionsOf, AllOptions);
 
 template <class... Options>

@@ -11,7 +11,10 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
@@ -73,7 +76,7 @@ TEST_P(EveryPlanner, TakesTheCellThatAPoseLiesIn) {
   for (const Pose& pose : {Pose{1, 1}, Pose{1.999, 1.999}, Pose{1.5, 1.0, 3.0}}) {
     const auto plan = planner->plan({pose, {Goal(Point{1.5, 1.5})}});
     ASSERT_TRUE(plan);
-    EXPECT_THAT(plan->path.cells(), ElementsAre(Cell{1, 1}));
+    EXPECT_THAT(plan->path.points(), ElementsAre(Point{1.5, 1.5}));
   }
 }
 
@@ -114,7 +117,7 @@ TEST_P(EveryPlanner, GoesToOneOfSeveralGoalsAndPassesOverTheHopelessOnes) {
                     {pose_at({9, 9}), pose_at({4, 0}), pose_at({5, 0}), pose_at({3, 2})}};
   const auto plan = planner->plan(query);
   ASSERT_TRUE(plan);
-  EXPECT_EQ(plan->path.cells().back(), (Cell{3, 2}));
+  EXPECT_EQ(plan->path.points().back(), (Point{3.5, 2.5}));
 }
 
 TEST_P(EveryPlanner, IfAllGoalsAreHopelessGivesTheReasonOfTheFirst) {
@@ -148,39 +151,47 @@ TEST_P(EveryPlanner, KeepsItsOwnCopyOfTheLimitsWhileItIsStepped) {
 class Auditor final : public SearchObserver {
  public:
   void on_generate(const SearchEvent& event) override {
-    EXPECT_TRUE(revisits || costs.count(event.cell) == 0) << "generated twice";
+    EXPECT_TRUE(revisits || costs.count(state_of(event)) == 0) << "generated twice";
     check(event);
     ++generated;
   }
   void on_relax(const SearchEvent& event) override {
-    ASSERT_EQ(costs.count(event.cell), 1U);
-    EXPECT_LT(event.g, costs[event.cell]);
+    ASSERT_EQ(costs.count(state_of(event)), 1U);
+    EXPECT_LT(event.g, costs[state_of(event)]);
     check(event);
   }
   void on_expand(const SearchEvent& event) override {
-    ASSERT_EQ(costs.count(event.cell), 1U) << "expanded before it was generated";
+    ASSERT_EQ(costs.count(state_of(event)), 1U) << "expanded before it was generated";
     if (settles) check(event);
-    EXPECT_EQ(event.g, costs[event.cell]);
+    EXPECT_EQ(event.g, costs[state_of(event)]);
     last = event.cell;
     ++expanded;
   }
 
   bool settles = false;   // Theta* may choose another parent when it expands a cell
   bool revisits = false;  // a walk and a jump come to a cell more than once
-  std::map<Cell, double> costs;
+  /// A corner is a cell with a direction.
+  using State = std::pair<Cell, std::optional<double>>;
+
+  std::map<State, double> costs;
   std::uint64_t generated = 0;
   std::uint64_t expanded = 0;
   Cell last;
 
  private:
+  static State state_of(const SearchEvent& event) { return {event.cell, event.heading}; }
+  static State parent_of(const SearchEvent& event) {
+    return {event.parent.value_or(Cell{}), event.parent_heading};
+  }
+
   void check(const SearchEvent& event) {
     if (event.parent) {
-      ASSERT_EQ(costs.count(*event.parent), 1U);
-      EXPECT_GT(event.g, costs[*event.parent]);
+      ASSERT_EQ(costs.count(parent_of(event)), 1U);
+      EXPECT_GT(event.g, costs[parent_of(event)]);
     } else {
       EXPECT_EQ(event.g, 0);
     }
-    costs[event.cell] = event.g;
+    costs[state_of(event)] = event.g;
   }
 };
 
@@ -209,8 +220,8 @@ TEST_P(EveryPlanner, TellsAnObserverEverything) {
     EXPECT_EQ(auditor.expanded, plan.metrics.expanded);
     EXPECT_EQ(auditor.generated, plan.metrics.generated);
     if (status == Status::found) {
-      const auto cells = plan.path.cells();
-      EXPECT_EQ(auditor.last, GetParam() == "d_star_lite" ? cells.front() : cells.back())
+      const std::vector<Point> points = plan.path.points();
+      EXPECT_EQ(auditor.last, cell_at(GetParam() == "d_star_lite" ? points.front() : points.back()))
           << "it searches backwards";
     }
   }

@@ -53,7 +53,8 @@ Scene scene_of(FreeSpace space, std::vector<SceneLine> lines) {
 }
 
 const BitGrid& standable(const Scene& scene) {
-  return scene.path.driven() ? scene.space.possible() : scene.space.passable();
+  const bool with_headings = scene.path.driven() || !scene.motions.empty();
+  return with_headings ? scene.space.possible() : scene.space.passable();
 }
 
 std::optional<CellRole> role_of(const Scene& scene, Cell cell) {

@@ -43,6 +43,7 @@
 #include "wend/geometry/pose.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
+#include "wend/path/motion_tree.hpp"
 #include "wend/path/path.hpp"
 #include "wend/render/heatmap.hpp"
 #include "wend/robot/free_space.hpp"
@@ -104,8 +105,11 @@ struct Scene {
   std::vector<SceneLine> lines{};  // over the path, later ones over earlier ones
   std::optional<ScenePlace> start{};
   std::vector<ScenePlace> goals{};
-  std::vector<MarkedCells> marked{};   // later ones over earlier ones
-  std::optional<Heatmap> heatmap{};    // under the marked cells
+  std::vector<MarkedCells> marked{};  // later ones over earlier ones
+  std::optional<Heatmap> heatmap{};   // under the marked cells
+  /// Of a search over poses: drawn in the heatmap's colours by their order, from 1, and its cells are not. Text pictures
+  /// show its cells.
+  MotionTree motions{};
   std::optional<ArrowField> arrows{};  // under path and marks
   std::optional<Point> narrowest{};    // grid coordinates: the narrowest place of a passage
   std::vector<Cell> nearest_free{};    // free cells nearest to a blocked start or goal
@@ -144,7 +148,8 @@ Scene scene_of(FreeSpace space, Path path);
 /// The map with lines, the ends of the last one (not empty) marked.
 Scene scene_of(FreeSpace space, std::vector<SceneLine> lines);
 
-/// The cells that the robot may stand on: with some heading if the path has headings, else with all.
+/// The cells that the robot may stand on: with some heading if the path or the motions have
+/// headings, else with all.
 const BitGrid& standable(const Scene& scene);
 
 /// The role of a cell: that of the last layer that marks it.

@@ -162,7 +162,7 @@ CellPaints::CellPaints(const Scene& scene, const Style& style) : scene_(scene), 
 
 std::optional<Colour> CellPaints::heat(Cell cell) const {
   const auto& heatmap = scene_.heatmap;
-  if (!heatmap || !range_) return std::nullopt;
+  if (!heatmap || !range_ || !scene_.motions.empty()) return std::nullopt;
   if (scene_.space.map().state(cell) == CellState::occupied) return std::nullopt;
   const double value = heatmap->values[cell];
   if (!std::isfinite(value)) return std::nullopt;

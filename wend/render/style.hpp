@@ -156,7 +156,8 @@ class CellPaints {
   /// greys alone.
   std::optional<Stripes> stripes(Cell cell) const;
 
-  /// The colour of a cell's value in the heatmap, where it has a finite one and is not an obstacle.
+  /// The colour of a cell's value in the heatmap, where it has a finite one and is not an obstacle; none where the
+  /// scene's motions have the colours.
   std::optional<Colour> heat(Cell cell) const;
 
  private:

@@ -137,8 +137,14 @@ void put_path(Json& json, const Plan& plan, const Frame& frame, const Capabiliti
     put_driven(json, plan.path, frame);
     return;
   }
-  json["path"] = json_of(plan.path.cells());
-  json["path_m"] = json_of(plan.path.points_in_metres(frame));
+  put_joints(json, plan.path, frame);
+}
+
+void put_joints(Json& json, const Path& path, const Frame& frame) {
+  const bool waypoints = !path.waypoints().empty();
+  json["path"] = waypoints ? json_of(path.points()) : json_of(path.cells());
+  if (waypoints) json["waypoints"] = true;
+  json["path_m"] = json_of(path.points_in_metres(frame));
 }
 
 void put_driven(Json& json, const Path& path, const Frame& frame) {

@@ -69,6 +69,9 @@ Json json_of(const WorkTimes& times);
 void put_path(Json& json, const Plan& plan, const Frame& frame,
               const Capabilities& capabilities = {});
 
+/// "path" and "path_m" of a path of cells; of waypoints, also "waypoints": true.
+void put_joints(Json& json, const Path& path, const Frame& frame);
+
 /// "poses_m" and "gears" of a path of poses, as in plan_json(); empty lists for other paths.
 void put_driven(Json& json, const Path& path, const Frame& frame);
 

@@ -26,7 +26,10 @@ class PlanReader : public nlohmann::json_sax<Json> {
       : text_(text), y_up_(y_up), stage_(stage) {}
 
   bool null() override { return no_number("null"); }
-  bool boolean(bool value) override { return no_number(value ? "true" : "false"); }
+  bool boolean(bool value) override {
+    if (depth_ == 1 && key_ == "waypoints") has_waypoints_ = value;
+    return no_number(value ? "true" : "false");
+  }
   bool number_integer(number_integer_t value) override {
     const bool of_cell = value >= 0 && value < kCoordinateEnd;
     return number(static_cast<double>(value), of_cell, std::to_string(value));
@@ -89,7 +92,8 @@ class PlanReader : public nlohmann::json_sax<Json> {
     const bool smoothed = takes_smoothed();
     const PointList& wanted = smoothed ? smoothed_ : planned_;
     const bool driven = !smoothed && seen_.count("headings") > 0;
-    const std::string& fault = driven || smoothed ? wanted.no_pose : wanted.no_cell;
+    const bool of_points = driven || smoothed || has_waypoints_;
+    const std::string& fault = of_points ? wanted.no_pose : wanted.no_cell;
     // If the parser stopped early, headings could still have followed.
     const bool is_sure = wrong_.empty() || !wanted.no_pose.empty();
     if (is_sure && !fault.empty()) return file_failure(file, 0, fault);
@@ -111,7 +115,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
     if (wanted.points.empty()) {
       return file_failure(file, 0, fmt::format("'{}' is empty, expected at least one [x,y]", name));
     }
-    if (smoothed) return Path::along(wanted.points);
+    if (smoothed || (has_waypoints_ && !driven)) return Path::along(wanted.points);
     return driven ? driven_path() : path_of_cells();
   }
 
@@ -220,6 +224,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
   std::size_t depth_ = 0;  // lists and objects that are open
   std::string key_;        // the last one of the top level
   std::set<std::string> seen_;
+  bool has_waypoints_ = false;
   FailedPlan failed_;  // where there is no path
   Point point_;
   std::size_t count_ = 0;  // coordinates of the point so far

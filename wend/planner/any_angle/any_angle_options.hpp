@@ -44,4 +44,20 @@ using ThetaStarOptions = AnyAngleOptions<SightCheck::when_reached>;
 /// The options of `lazy_theta_star`.
 using LazyThetaStarOptions = AnyAngleOptions<SightCheck::when_expanded>;
 
+/// The options of `any_angle`.
+struct ShortestAnyAngleOptions {
+  /// The planner's name.
+  static constexpr std::string_view kPlanner = "any_angle";
+
+  CornerRule corner_rule = CornerRule::none;  // what a path may squeeze through
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"corner_rule",
+           "corners that a path may cut: both lets it pass between two obstacles that touch at a "
+           "corner; none and one do not"},
+          self.corner_rule);
+  }
+};
+
 }  // namespace wend

@@ -100,7 +100,7 @@ CostField::Value HybridSearch::estimate(const Pose& pose) const {
   if (!value.exact || !(value.cost < kNoWay)) return value;
   double arriving = kNoWay;
   for (const HybridGoal& goal : goals_) {
-    if (!goal.wants_heading()) continue;
+    if (!goal.wants_heading() || ring_.reach() == 0) continue;
     if (straight_distance(pose.point(), goal.pose.point()) > ring_.reach()) continue;
     arriving = std::min(arriving, ring_.cost(pose, goal.pose));
   }
@@ -275,6 +275,7 @@ double HybridSearch::follow_descent(Point from) {
     const Point way = field_.descent(point);
     const Point next{point.x + step * way.x, point.y + step * way.y};
     if (!check_.free_space().contains(cell_at(next))) break;
+    field_.settle(next);
     const CostField::Value there = field_.at(next);
     if (!there.exact || !(there.cost < cost)) break;
     point = next;
@@ -441,14 +442,33 @@ void HybridSearch::write_path(Drive& path) const {
   if (direction_ == Direction::from_start) std::ranges::reverse(path);
 }
 
+/// What the robot drives from the parent of a node to it, or from the node to its parent if the search begins at the
+/// goal.
+void HybridSearch::write_way(const Node& node) {
+  way_.clear();
+  Pose pose = node.parent == kNone ? node.pose : nodes_[node.parent].pose;
+  way_.push_back(pose);
+  for (std::size_t i = 0; node.parent != kNone && i < node.motion_count; ++i) {
+    const Motion& motion = motions_[node.first_motion + i];
+    // The segment between two poses turns the shorter way.
+    const int parts = 1 + static_cast<int>(std::abs(motion.turn) / (kPi / 2));
+    for (int part = 1; part <= parts; ++part) {
+      way_.push_back(pose_after(pose, part_of(motion, static_cast<double>(part) / parts)));
+    }
+    pose = pose_after(pose, motion);
+  }
+  if (direction_ == Direction::from_start) return;
+  for (Pose& at : way_) at = facing_back(at);
+}
+
 void HybridSearch::tell(const Node& node, bool expanded) {
   if (observer_ == nullptr) return;
+  write_way(node);
   SearchEvent event{cell_at(node.pose.point()), {}, node.g, node.h, f_of(node),
-                    node.pose.heading,          {}};
+                    way_.back().heading,        {}, way_};
   if (node.parent != kNone) {
-    const Pose& parent = nodes_[node.parent].pose;
-    event.parent = cell_at(parent.point());
-    event.parent_heading = parent.heading;
+    event.parent = cell_at(way_.front().point());
+    event.parent_heading = way_.front().heading;
   }
   if (expanded) {
     observer_->on_expand(event);

@@ -114,7 +114,8 @@ class HybridSearch {
   bool add(Index parent, std::span<const Motion> motions, double cost, bool traced,
            const Pose* exactly = nullptr);
   void offer_goal(Index node, const HybridGoal& goal);
-  void tell(const Node& node, bool again);
+  void write_way(const Node& node);
+  void tell(const Node& node, bool expanded);
 
   const MotionCheck& check_;
   const Steering& steering_;
@@ -135,6 +136,7 @@ class HybridSearch {
   std::vector<CostField::Seed> seeds_;
   std::span<const HybridGoal> goals_;
   SearchObserver* observer_ = nullptr;
+  std::vector<Pose> way_;  // of the event that is told
   SearchMetrics metrics_;
   Index best_ = kNone;
   double best_cost_ = 0;

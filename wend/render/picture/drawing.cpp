@@ -30,6 +30,7 @@ void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const
   draw_grid_lines(drawing);
   draw_axes(drawing);
   draw_arrows(drawing, shows_cell_numbers(drawing));
+  draw_motions(drawing);
   draw_path(drawing);
   draw_sparse_cells(drawing);
   draw_cell_numbers(drawing);

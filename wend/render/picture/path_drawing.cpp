@@ -313,6 +313,16 @@ void draw_path(const SceneDrawing& drawing) {
   cairo_restore(drawing.context);
 }
 
+void trace_drive(cairo_t* context, std::span<const Pose> poses, const MapView& view) {
+  const JoinedPoses joined(poses);
+  cairo_save(context);
+  enter_grid(context, view);
+  cairo_new_path(context);
+  if (!poses.empty()) cairo_move_to(context, poses.front().x, poses.front().y);
+  for (std::size_t i = 0; i < joined.segment_count(); ++i) trace_arc(context, joined.arc(i));
+  cairo_restore(context);  // the path stays, and is stroked in pixels
+}
+
 void draw_driven_sample(const Pen& pen, Point centre, double length, bool reverse) {
   trace_sample(pen.context, centre, length);
   stroke_gear(pen, reverse);

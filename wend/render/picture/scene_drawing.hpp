@@ -4,6 +4,7 @@
 // the functions of each group below are in the source file that the group names.
 
 #include <optional>
+#include <span>
 
 #include "wend/render/legend.hpp"
 #include "wend/render/picture/canvas.hpp"
@@ -98,9 +99,17 @@ void draw_sparse_cells(const SceneDrawing& drawing);
 /// ones wide, driven ones thin, so that each stays visible where they overlap.
 void draw_path(const SceneDrawing& drawing);
 
+/// Traces the way of the base point between poses.
+void trace_drive(cairo_t* context, std::span<const Pose> poses, const MapView& view);
+
 /// Horizontal pieces that long, as legends show them.
 void draw_driven_sample(const Pen& pen, Point centre, double length, bool reverse);
 void draw_line_sample(const Pen& pen, Point centre, double length, LineRole role);
+
+// motions_drawing.cpp: what a search over poses drove.
+
+/// The scene's motions as thin lines in the colours of its heatmap; later ones over earlier ones.
+void draw_motions(const SceneDrawing& drawing);
 
 // footprint_drawing.cpp: a robot whose shape is a polygon, to scale.
 

@@ -55,6 +55,39 @@ Scene crossing_lines() {
   return scene;
 }
 
+/// An arc to the left, after a line ahead.
+Scene with_motions() {
+  Scene scene{.space = open_space()};
+  scene.motions.add(std::vector<Pose>{{1, 1, 0}});
+  scene.motions.add(std::vector<Pose>{{1, 1, 0}, {4, 1, 0}});
+  scene.motions.add(std::vector<Pose>{{4, 1, 0}, {6, 3, std::numbers::pi / 2}});
+  scene.heatmap = {"order of expansion", Grid<double>(7, 5, 1.0), HeatRange{1, 3}};
+  return scene;
+}
+
+TEST(SceneMotions, HaveTheColoursOfTheHeatmapInPlaceOfItsCells) {
+  const Style style;
+  const Scene scene = with_motions();
+  const double aside = std::numbers::sqrt2;  // of the middle of a quarter of a circle of radius 2
+  const auto pixels =
+      pixels_at(scene, {{2.5, 1}, {4 + aside, 3 - aside}, {1.15, 3.15}, {5.3, 2.3}});
+  EXPECT_EQ(pixels[0], rgb_of(style.heat(0.5)));
+  EXPECT_EQ(pixels[1], rgb_of(style.heat(1)));
+  EXPECT_EQ(pixels[2], kFloor);
+  EXPECT_EQ(pixels[3], kFloor) << "the chord of the arc";
+  Scene without = scene;
+  without.motions.clear();
+  EXPECT_EQ(pixel_at(without, {1.15, 3.15}), rgb_of(style.heat(0)));
+}
+
+TEST(SceneMotions, AreNamedByTheHeatmapAndCountTheirRange) {
+  const auto legend = legend_of(with_motions(), Style{});
+  ASSERT_FALSE(legend.empty());
+  EXPECT_EQ(legend.front().swatch, Swatch::heat);
+  EXPECT_EQ(legend.front().label, "order of expansion");
+  EXPECT_EQ(legend.front().range, (HeatRange{1, 3}));
+}
+
 TEST(SceneLines, DashAPossiblePathInThePathsColourAndNameIt) {
   Scene scene{.space = open_space()};
   scene.lines = {{LineRole::possible, {{0.5, 2.5}, {6.5, 2.5}}, "path for a robot of 2 cells"}};

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "wend/robot/fits_along.hpp"
+#include "wend/robot/point_sweep.hpp"
 #include "wend/space/grid/grid_space.hpp"
 #include "wend/space/grid/line_cost.hpp"
 
@@ -76,6 +77,23 @@ Expected<double, PathFault> check_any_angle_path(const FreeSpace& space, Adjacen
     return Unexpected<PathFault>(*std::move(fault));
   }
   return any_angle_path_cost(space, cells);
+}
+
+Expected<double, PathFault> check_any_angle_path(const FreeSpace& space, Adjacency adjacency,
+                                                 std::span<const Point> waypoints) {
+  double length = 0;
+  if (waypoints.empty()) return length;
+  PointSweep point(space, waypoints.front(), adjacency);
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    const Line line{waypoints[i - 1], waypoints[i]};
+    const bool free =
+        space.is_point() ? point.go_to(line.to) : disc_fits_along(space, line, adjacency);
+    if (!free) {
+      return Unexpected<PathFault>(PathFault{i, "line " + std::to_string(i) + " is not free"});
+    }
+    length += line.length();
+  }
+  return length;
 }
 
 }  // namespace wend

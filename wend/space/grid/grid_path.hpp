@@ -35,4 +35,10 @@ WEND_API Expected<double, PathFault> check_any_angle_path(const FreeSpace& space
                                                           Adjacency adjacency,
                                                           std::span<const Cell> cells);
 
+/// The same for waypoints, in grid coordinates, on uniform terrain. A point does not turn between two obstacles that
+/// touch at a corner unless `adjacency` is edges_and_corners.
+WEND_API Expected<double, PathFault> check_any_angle_path(const FreeSpace& space,
+                                                          Adjacency adjacency,
+                                                          std::span<const Point> waypoints);
+
 }  // namespace wend

@@ -63,7 +63,7 @@ CoarseGrid::CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size
     : size_(size), stride_(static_cast<std::size_t>((space.width() + size - 1) / size) + 2) {
   const auto rows = static_cast<std::size_t>((space.height() + size - 1) / size) + 2;
   multipliers_.assign(stride_ * rows, std::numeric_limits<float>::infinity());
-  links_.assign(stride_ * rows, 0);
+  sides_.assign(stride_ * rows, 0);
   for (int y = 0; y < space.height(); ++y) take_row(space, drivable, y);
 }
 
@@ -74,8 +74,14 @@ void CoarseGrid::take_row(const FreeSpace& space, const BitGrid& drivable, int y
     const std::size_t square = first + static_cast<std::size_t>(x / size_);
     const auto multiplier = static_cast<float>(driving_multiplier(space, {x, y}));
     multipliers_[square] = std::min(multipliers_[square], multiplier);
-    if (x % size_ == size_ - 1 && drivable[{x + 1, y}]) links_[square] |= kRight;
-    if (last_row && drivable[{x, y + 1}]) links_[square] |= kUp;
+    if (x % size_ == size_ - 1 && drivable[{x + 1, y}]) {
+      sides_[square] |= kRight;
+      sides_[square + 1] |= kLeft;
+    }
+    if (last_row && drivable[{x, y + 1}]) {
+      sides_[square] |= kAbove;
+      sides_[square + stride_] |= kBelow;
+    }
   });
 }
 

@@ -61,23 +61,23 @@ class CoarseGrid {
     return multipliers_[square] < std::numeric_limits<float>::infinity();
   }
 
-  /// Is a square connected with the next one to the right; with the one above?
-  bool connected_right(std::size_t square) const { return (links_[square] & kRight) != 0; }
-  bool connected_up(std::size_t square) const { return (links_[square] & kUp) != 0; }
+  /// The sides on which a square is connected with the next one, as flags.
+  std::uint8_t sides(std::size_t square) const { return sides_[square]; }
+  static constexpr std::uint8_t kRight = 1;
+  static constexpr std::uint8_t kLeft = 2;
+  static constexpr std::uint8_t kAbove = 4;
+  static constexpr std::uint8_t kBelow = 8;
 
   /// Makes squares dearer in which no cell has this room beside the robot, in cells.
   void charge_narrow_squares(const FreeSpace& space, double room, float factor);
 
  private:
-  static constexpr std::uint8_t kRight = 1;
-  static constexpr std::uint8_t kUp = 2;
-
   void take_row(const FreeSpace& space, const BitGrid& drivable, int y);
 
   int size_;
   std::size_t stride_;
   std::vector<float> multipliers_;
-  std::vector<std::uint8_t> links_;
+  std::vector<std::uint8_t> sides_;
 };
 
 }  // namespace wend

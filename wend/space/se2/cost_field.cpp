@@ -151,24 +151,26 @@ bool CostField::settle_next() {
 void CostField::expand(const Waiting& from) {
   const std::size_t up = grid_.stride();
   const std::size_t square = from.square;
-  const auto spread = [&](bool connected, int column, int row, std::size_t neighbour) {
-    if (connected && values_[neighbour] > from.value) update(column, row, neighbour);
+  const std::uint8_t sides = grid_.sides(square);
+  const auto spread = [&](std::uint8_t side, int column, int row, std::size_t neighbour) {
+    if ((sides & side) != 0 && values_[neighbour] > from.value) update(column, row, neighbour);
   };
-  spread(grid_.connected_right(square), from.column + 1, from.row, square + 1);
-  spread(grid_.connected_right(square - 1), from.column - 1, from.row, square - 1);
-  spread(grid_.connected_up(square), from.column, from.row + 1, square + up);
-  spread(grid_.connected_up(square - up), from.column, from.row - 1, square - up);
+  spread(CoarseGrid::kRight, from.column + 1, from.row, square + 1);
+  spread(CoarseGrid::kLeft, from.column - 1, from.row, square - 1);
+  spread(CoarseGrid::kAbove, from.column, from.row + 1, square + up);
+  spread(CoarseGrid::kBelow, from.column, from.row - 1, square - up);
 }
 
 void CostField::update(int column, int row, std::size_t square) {
   const std::size_t up = grid_.stride();
-  const auto value = [&](bool connected, std::size_t neighbour) {
-    return connected ? values_[neighbour] : kUnknown;
+  const std::uint8_t sides = grid_.sides(square);
+  const auto value = [&](std::uint8_t side, std::size_t neighbour) {
+    return (sides & side) != 0 ? values_[neighbour] : kUnknown;
   };
-  const float along = std::min(value(grid_.connected_right(square), square + 1),
-                               value(grid_.connected_right(square - 1), square - 1));
-  const float across = std::min(value(grid_.connected_up(square), square + up),
-                                value(grid_.connected_up(square - up), square - up));
+  const float along =
+      std::min(value(CoarseGrid::kRight, square + 1), value(CoarseGrid::kLeft, square - 1));
+  const float across =
+      std::min(value(CoarseGrid::kAbove, square + up), value(CoarseGrid::kBelow, square - up));
   improve(column, row, square, upwind(along, across, grid_.multiplier(square) * size_));
 }
 

@@ -1,0 +1,50 @@
+#pragma once
+
+// PreparedSight: the Portals of the cells of a FreeSpace, and their TautMap, which all planners on that space share.
+// Portals are made when a planner first asks for them, and again after an edit. The map follows once the searches have
+// looked around as often as making it does.
+
+#include <cstdint>
+#include <memory>
+
+#include "wend/base/mutex.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/sight/portals.hpp"
+#include "wend/sight/taut_map.hpp"
+
+namespace wend {
+
+class PreparedSight final : public SpaceAttachment {
+ public:
+  /// That of a space.
+  static std::shared_ptr<PreparedSight> of(const FreeSpace& space);
+
+  /// A robot passes between two cells that touch diagonally, where the adjacency lets it, if its (circumscribed) disc
+  /// fits along the diagonal.
+  std::shared_ptr<const Portals> portals(const FreeSpace& space, Adjacency adjacency);
+
+  /// The map of these portals, if it is there or now worth making. Null also where the map would be too large, or the
+  /// portals have been made again.
+  std::shared_ptr<const TautMap> map(const std::shared_ptr<const Portals>& portals);
+  /// A search on these portals has looked around so many times.
+  void count(const std::shared_ptr<const Portals>& portals, std::uint64_t looks);
+
+  void space_edited(const SpaceChange& change) override;
+
+ private:
+  struct Ground {
+    std::shared_ptr<const Portals> portals;
+    std::shared_ptr<const TautMap> map;
+    std::uint64_t looks = 0;
+    bool is_too_large = false;
+  };
+
+  /// Null if these are not its portals any more.
+  Ground* ground_of(const std::shared_ptr<const Portals>& portals);
+
+  Mutex mutex_;  // guards the rest
+  Ground closed_;
+  Ground open_;  // with gaps
+};
+
+}  // namespace wend

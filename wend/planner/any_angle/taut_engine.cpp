@@ -1,0 +1,171 @@
+#include "wend/planner/any_angle/taut_engine.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "wend/path/simplification.hpp"
+#include "wend/robot/fits_along.hpp"
+#include "wend/sight/cell_trail.hpp"
+
+namespace wend {
+namespace {
+
+/// A free cell at a corner, and where the corner lies from its centre, in radians.
+struct CellAtCorner {
+  Cell cell;
+  double heading;
+};
+
+CellAtCorner cell_at(const TautCorner& corner) {
+  constexpr double kQuarter = std::numbers::pi / 4;
+  const Cell high_right{corner.x, corner.y};
+  const Cell low_right{corner.x, corner.y - 1};
+  switch (corner.blocked_cell()) {
+    case BlockedCell::low_left:
+      return {high_right, -3 * kQuarter};
+    case BlockedCell::high_right:
+      return {{corner.x - 1, corner.y - 1}, kQuarter};
+    case BlockedCell::low_right:
+      return {{corner.x - 1, corner.y}, -kQuarter};
+    case BlockedCell::high_left:
+      return {low_right, 3 * kQuarter};
+    case BlockedCell::gap:
+      break;
+  }
+  return corner.rising == 1 ? CellAtCorner{high_right, -3 * kQuarter}
+                            : CellAtCorner{low_right, 3 * kQuarter};
+}
+
+/// Does a path go straight on at b, from a to c? Exact for centres and vertices.
+bool goes_straight_on(Point a, Point b, Point c) {
+  return (b.x - a.x) * (c.y - b.y) == (b.y - a.y) * (c.x - b.x);
+}
+
+}  // namespace
+
+/// Passes the events on.
+class TautEngine::Watcher {
+ public:
+  Watcher(const TautEngine& engine, SearchObserver& observer)
+      : engine_(engine), observer_(observer) {}
+
+  void on_generate(TautSearch::Id id) { observer_.on_generate(engine_.event(id)); }
+  void on_relax(TautSearch::Id id) { observer_.on_relax(engine_.event(id)); }
+  void on_expand(TautSearch::Id id) { observer_.on_expand(engine_.event(id)); }
+
+ private:
+  const TautEngine& engine_;
+  SearchObserver& observer_;
+};
+
+TautEngine::TautEngine(FreeSpace space, Adjacency adjacency,
+                       std::shared_ptr<PreparedSight> prepared)
+    : space_(std::move(space)),
+      adjacency_(adjacency),
+      prepared_(std::move(prepared)),
+      portals_(prepared_->portals(space_, adjacency_)),
+      search_(portals_, space_.passable()) {}
+
+template <class Action>
+void TautEngine::watched(Action&& action) {
+  if (observer_ == nullptr) {
+    action(TautSearch::NoWatcher{});
+  } else {
+    action(Watcher(*this, *observer_));
+  }
+}
+
+void TautEngine::begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
+                       SearchObserver* observer) {
+  observer_ = observer;
+  if (!search_.knows_all()) {
+    prepared_->count(portals_, search_.take_looks());
+    if (auto map = prepared_->map(portals_)) search_.learn(std::move(map));
+  }
+  watched([&](auto&& watcher) { search_.begin(start, goals, limits, watcher); });
+}
+
+SearchOutcome TautEngine::step() {
+  watched([&](auto&& watcher) { search_.step(watcher); });
+  return search_.outcome();
+}
+
+SearchOutcome TautEngine::run() {
+  watched([&](auto&& watcher) {
+    while (search_.outcome() == SearchOutcome::running) search_.step(watcher);
+  });
+  return search_.outcome();
+}
+
+OpenList TautEngine::open_list(std::size_t most) const {
+  OpenList list;
+  list.count = search_.for_each_open(
+      most, [&](TautSearch::Id id) { list.entries.push_back({event(id), OpenTie::none}); });
+  return list;
+}
+
+SearchEvent TautEngine::event(TautSearch::Id id) const {
+  struct Seat {
+    Cell cell;
+    std::optional<double> heading;
+  };
+  const auto place = [this](TautSearch::Id state) {
+    if (!search_.is_corner(state)) return Seat{search_.cell(state), {}};
+    const CellAtCorner at = cell_at(search_.corner(state));
+    return Seat{at.cell, at.heading};
+  };
+  const double g = search_.g(id);
+  const double h = search_.h(id);
+  const Seat here = place(id);
+  SearchEvent event{here.cell, {}, g, h, g + h, here.heading};
+  if (search_.is_start(id)) return event;
+  const Seat parent = place(search_.parent(id));
+  event.parent = parent.cell;
+  event.parent_heading = parent.heading;
+  return event;
+}
+
+void TautEngine::write_path(Path& path) const {
+  path.clear();
+  TautSearch::Id id = search_.goal();
+  Point last = search_.point(id);
+  path.go_to(last);
+  if (search_.is_start(id)) return;
+  for (id = search_.parent(id); !search_.is_start(id); id = search_.parent(id)) {
+    const Point here = search_.point(id);
+    if (goes_straight_on(last, here, search_.point(search_.parent(id)))) continue;
+    path.go_to(here);
+    last = here;
+  }
+  path.go_to(search_.point(id));
+  path.reverse();
+  if (!space_.is_point() && !fits(path)) write_pulled_trail(path);
+}
+
+bool TautEngine::fits(const Path& path) const {
+  const std::span<const Point> waypoints = path.waypoints();
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    if (!disc_fits_along(space_, Line{waypoints[i - 1], waypoints[i]}, adjacency_)) return false;
+  }
+  return true;
+}
+
+/// The path through the centres of the cells that the taut one passes, pulled taut for the robot.
+void TautEngine::write_pulled_trail(Path& path) const {
+  std::vector<std::uint32_t> corners;
+  for (TautSearch::Id id = search_.parent(search_.goal()); !search_.is_start(id);
+       id = search_.parent(id)) {
+    corners.push_back(id);
+  }
+  std::ranges::reverse(corners);
+  std::vector<Cell> cells;
+  write_trail(search_.portals(), search_.cell_of_start(), corners, search_.cell(search_.goal()),
+              cells);
+  const Path pulled = string_pulled(Path(std::move(cells)), space_, adjacency_);
+  path.clear();
+  for (const Point point : pulled.waypoints()) path.go_to(point);
+}
+
+}  // namespace wend
