@@ -10,13 +10,23 @@ const types = {
   '.json': 'application/json', '.txt': 'text/plain; charset=utf-8', '.webmanifest': 'application/manifest+json',
 };
 
+/** null for an address that is not well-formed. */
+function pathOf(address) {
+  try {
+    return decodeURIComponent(new URL(address, 'http://localhost').pathname);
+  } catch {
+    return null;
+  }
+}
+
 /** Returns the server and its address. */
 export function serve(folder, port = 0) {
   const root = resolve(folder);
   const server = createServer(async (request, response) => {
-    const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+    const path = pathOf(request.url);
+    if (path === null) return void response.writeHead(400).end('not a path');
     const file = join(root, normalize(path.endsWith('/') ? `${path}index.html` : path));
-    const found = file.startsWith(root + sep) && await stat(file).catch(() => null);
+    const found = !file.includes('\0') && file.startsWith(root + sep) && await stat(file).catch(() => null);
     if (!found || !found.isFile()) return void response.writeHead(404).end('not here');
     response.writeHead(200, { 'Content-Type': types[extname(file)] ?? 'application/octet-stream', 'Cache-Control': 'no-cache' });
     createReadStream(file).pipe(response);
