@@ -150,14 +150,14 @@ int run(const Arguments& arguments) {
 }  // namespace wend::bench
 
 int main(int argc, char** argv) {
-  constexpr std::string_view kData = WEND_DATA;  // empty where the build found no data
+  const std::filesystem::path data = WEND_DATA;  // empty where the build found no data
   wend::bench::Arguments arguments;
-  if (!kData.empty()) arguments.folder = std::filesystem::path(kData) / "nine";
+  if (!data.empty()) arguments.folder = data / "nine";
   CLI::App app("Times the parts of the way from a map file to the first path, in CPU time.");
   CLI::Option* folder =
       app.add_option("folder", arguments.folder, "pairs of .map and .map.scen files");
-  folder->required(kData.empty());
-  if (!kData.empty()) folder->capture_default_str();
+  folder->required(data.empty());
+  if (!data.empty()) folder->capture_default_str();
   app.add_option("--planner", arguments.planner, "a planner's name")->capture_default_str();
   app.add_option("--sample", arguments.sample, "queries a map, evenly spread")
       ->check(CLI::Range(1, 1000000))

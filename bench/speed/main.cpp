@@ -123,14 +123,14 @@ int run(Arguments arguments) {
 }  // namespace wend::bench
 
 int main(int argc, char** argv) {
-  constexpr std::string_view kData = WEND_DATA;  // empty where the build found no data
+  const std::filesystem::path data = WEND_DATA;  // empty where the build found no data
   wend::bench::Arguments arguments;
-  if (!kData.empty()) arguments.folder = std::filesystem::path(kData) / "nine";
-  arguments.generated = kData.empty();
+  if (!data.empty()) arguments.folder = data / "nine";
+  arguments.generated = data.empty();
   CLI::App app("Times planners beside Boost.Graph's A*, in CPU time, in turns, on one core.");
   CLI::Option* folder =
       app.add_option("folder", arguments.folder, "pairs of .map and .map.scen files");
-  if (!kData.empty()) folder->capture_default_str();
+  if (!data.empty()) folder->capture_default_str();
   app.add_flag("--generated", arguments.generated, "maps that are made from seeds, not a folder's");
   CLI::Option* planner = app.add_option("--planner", arguments.planners,
                                         "a list, as astar,dijkstra or astar:weight=2,bfs")

@@ -22,7 +22,7 @@ std::optional<Contact> contact_of(const FreeSpace& space, Point point, std::size
   if (closed && distance_inside(space, point) < -kOverlapTolerance) return Contact{{}, corner, {}};
   const auto cell = cell_under(space, point);
   if (!cell || !space.obstacles().blocked()[*cell] || !lies_in(point, *cell)) return std::nullopt;
-  return Contact{*cell, corner, {}};
+  return Contact{cell, corner, {}};
 }
 
 /// In which quadrant around the base point a corner lies, counted from the front on the +y side against the clock;

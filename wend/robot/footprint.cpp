@@ -137,7 +137,7 @@ Footprint Footprint::scaled(double factor) const {
 
 Footprint Footprint::grown(double margin) const {
   constexpr int kSides = 8;
-  const Footprint around = disc(circumscribed_ + margin);
+  Footprint around = disc(circumscribed_ + margin);
   if (!polygon_ || margin == 0) return polygon_ ? *this : around;
   std::vector<Point> points;
   const double reach = margin / std::cos(kPi / kSides);

@@ -166,7 +166,7 @@ class LeapSearch final : public WholeSearch<LeapSearch<Cost, Word, Units>, Word,
 
   /// Prefetches what expanding a cell reads: the three rows around it, each of which may lie in two lines of the
   /// cache. Inline: g++ drops calls of a function that only prefetches.
-  [[gnu::always_inline]] inline void fetch_ahead(StateId id) const {
+  [[gnu::always_inline]] void fetch_ahead(StateId id) const {
     for (const StateId row : {grid().neighbour(id, 0), id, grid().neighbour(id, 4)}) {
       nodes_.prefetch(row - 1);
       nodes_.prefetch(row + 1);
@@ -196,7 +196,7 @@ class LeapSearch final : public WholeSearch<LeapSearch<Cost, Word, Units>, Word,
   }
 
   /// False if there is nothing to expand yet: the cell is dominated, or a goal.
-  [[gnu::always_inline]] inline bool expand(StateId id, std::uint64_t g) {
+  [[gnu::always_inline]] bool expand(StateId id, std::uint64_t g) {
     const Cell cell = grid().cell(id);
     const Move arrival = nodes_[id].move();
     const Word word = words_[id];

@@ -15,7 +15,7 @@ std::string rounded(double value) { return format_number(std::round(value * 1e4)
 
 /// "(2.5,3.5,90deg)" or "(2.5,3.5,any)", in grid coordinates
 std::string text_of(Point point, std::optional<double> heading) {
-  std::string text = '(' + rounded(point.x) + ',' + rounded(point.y) + ',';
+  const std::string text = '(' + rounded(point.x) + ',' + rounded(point.y) + ',';
   if (!heading) return text + "any)";
   const double degrees = std::round(degrees_from(normalized_angle(*heading)) * 100) / 100;
   return text + format_number(degrees) + "deg)";
