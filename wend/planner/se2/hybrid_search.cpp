@@ -100,7 +100,7 @@ CostField::Value HybridSearch::estimate(const Pose& pose) const {
   if (!value.exact || !(value.cost < kNoWay)) return value;
   double arriving = kNoWay;
   for (const HybridGoal& goal : goals_) {
-    if (!goal.wants_heading()) continue;
+    if (!goal.wants_heading() || ring_.reach() == 0) continue;
     if (straight_distance(pose.point(), goal.pose.point()) > ring_.reach()) continue;
     arriving = std::min(arriving, ring_.cost(pose, goal.pose));
   }
