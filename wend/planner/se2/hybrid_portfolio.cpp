@@ -78,16 +78,18 @@ SearchOutcome HybridPortfolio::run_member(Kind kind, std::uint64_t most, const L
   return SearchOutcome::running;
 }
 
-/// Does the flood end? A limit of the query ends its turn, and then the next search.
-bool HybridPortfolio::ends(PoseFlood& flood, std::uint64_t most, const Limits& limits, double end) {
+/// Does the flood at one end leave no pose? A limit of the query ends the flood's turn, and then the next search.
+bool HybridPortfolio::ends(PoseFlood& flood, NoDriveFound::Why boxed_in, std::uint64_t most,
+                           const Limits& limits, double end) {
   constexpr std::uint64_t kAtOnce = 256;
   for (std::uint64_t done = 0; done < most && !stopped(limits, end); done += kAtOnce) {
-    if (flood.run(kAtOnce)) return true;
+    if (!flood.run(kAtOnce)) continue;
+    no_drive_ = {flood.is_small() ? boxed_in : NoDriveFound::Why::none_found, flood.resolution()};
+    return true;
   }
   return false;
 }
 
-/// Does the flood at one of the ends end, too?
 bool HybridPortfolio::is_boxed_in(std::uint64_t most, const Limits& limits, double end) {
   using Direction = PoseFlood::Direction;
   using Why = NoDriveFound::Why;
@@ -100,17 +102,8 @@ bool HybridPortfolio::is_boxed_in(std::uint64_t most, const Limits& limits, doub
     to_goal_->begin(goals_);
     from_start_->begin(start_);
   }
-  if (ends(*to_goal_, most, limits, end)) {
-    no_drive_ = {to_goal_->is_small() ? Why::goal_boxed_in : Why::none_found,
-                 to_goal_->resolution()};
-    return true;
-  }
-  if (ends(*from_start_, most, limits, end)) {
-    no_drive_ = {from_start_->is_small() ? Why::start_boxed_in : Why::none_found,
-                 from_start_->resolution()};
-    return true;
-  }
-  return false;
+  return ends(*to_goal_, Why::goal_boxed_in, most, limits, end) ||
+         ends(*from_start_, Why::start_boxed_in, most, limits, end);
 }
 
 /// Runs a search until its turn ends; returns the outcome of the query if it has one.
@@ -156,11 +149,17 @@ SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal
     turn *= kGrowth;
     flooded *= kFloodGrowth;
   }
+  const bool from_goal = one_pose && no_drive_.why == NoDriveFound::Why::goal_boxed_in;
+  return search_lattice(from_goal ? lattice_backward : lattice, limits, end);
+}
+
+/// The last search. Where it does not get to its end, the others have.
+SearchOutcome HybridPortfolio::search_lattice(Kind kind, const Limits& limits, double end) {
   if (!lattice_) lattice_ = std::make_unique<LatticeMotions>(steering_);
   if (lattice_->empty()) return SearchOutcome::exhausted;
-  const bool from_goal = one_pose && no_drive_.why == NoDriveFound::Why::goal_boxed_in;
-  return take_turn(from_goal ? lattice_backward : lattice, kMostOnLattice, limits, end)
-      .value_or(SearchOutcome::exhausted);
+  const auto outcome = take_turn(kind, kMostOnLattice, limits, end);
+  no_drive_.lattice_searched = members_[kind].exhausted;
+  return outcome.value_or(SearchOutcome::exhausted);
 }
 
 SearchMetrics HybridPortfolio::metrics() const {

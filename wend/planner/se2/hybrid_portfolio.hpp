@@ -8,9 +8,9 @@
 //   wide     a heuristic that avoids narrow places
 //   fine     smaller boxes and shorter motions
 //
-// Two floods run along with them: where the goal or the start is boxed in, one of them ends soon. If one has ended, or all
-// four searches have, a last search looks for a drive between the poses of a lattice, along and across the cells.
-// Then there is no path. Searches and floods are made when they are first needed.
+// Two floods run along with them: where the goal or the start is boxed in, one of them ends soon. If a flood or all
+// four searches have ended, a last search looks for a drive between the poses of a lattice, along and across the cells.
+// If it finds none, the answer is that there is no path. A search or a flood is made when a query first needs it.
 
 #include <array>
 #include <cstdint>
@@ -65,8 +65,10 @@ class HybridPortfolio {
   std::optional<SearchOutcome> take_turn(Kind kind, std::uint64_t most, const Limits& limits,
                                          double end);
   void begin(const Pose& start, std::span<const HybridGoal> goals, SearchObserver* observer);
-  bool ends(PoseFlood& flood, std::uint64_t most, const Limits& limits, double end);
+  bool ends(PoseFlood& flood, NoDriveFound::Why boxed_in, std::uint64_t most, const Limits& limits,
+            double end);
   bool is_boxed_in(std::uint64_t most, const Limits& limits, double end);
+  SearchOutcome search_lattice(Kind kind, const Limits& limits, double end);
 
   std::shared_ptr<const HybridGround> ground_;
   Steering steering_;

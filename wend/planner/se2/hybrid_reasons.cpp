@@ -116,11 +116,14 @@ std::string outside_of(const FreeSpace& space) {
 }
 
 /// What has been searched without a drive.
-std::string searched_text(const FreeSpace& space, const HybridResolution& searched) {
+std::string searched_text(const FreeSpace& space, const NoDriveFound& no_drive) {
+  const HybridResolution& searched = no_drive.searched;
   return ", in boxes of " + length_text(space, searched.position) + ", " +
          std::to_string(searched.headings) + " headings and motions of " +
          length_text(space, searched.step) +
-         "; a search on a lattice of half cells and 16 headings found none either";
+         (no_drive.lattice_searched
+              ? "; a search on a lattice of half cells and 16 headings found none either"
+              : "");
 }
 
 }  // namespace
@@ -156,7 +159,7 @@ std::string reason_of_no_drive(const NoDriveFound& no_drive, const FreeSpace& sp
                                const Query& query) {
   const std::string start = start_of(query);
   const std::string goal = goals_of(query);
-  const std::string searched = searched_text(space, no_drive.searched);
+  const std::string searched = searched_text(space, no_drive);
   switch (no_drive.why) {
     case NoDriveFound::Why::parted:
       return "no drive leads from " + start + " to " + goal + ": obstacles part them" +

@@ -64,6 +64,15 @@ TEST(HybridReasons, NameTheCornerThatTouches) {
             "lies in an obstacle cell");
 }
 
+/// Motions of the lattice reach too far for such a radius, so there is none.
+TEST(HybridReasons, NameTheLatticeOnlyIfItWasSearched) {
+  const FreeSpace yard = space_for(kYard, kBox);
+  const std::string text =
+      answer(yard, between({3, 2, 0}, {3, 5, kPi}), {{"turning_radius", "100000"}});
+  EXPECT_TRUE(text.starts_with("unreachable: ")) << text;
+  EXPECT_EQ(text.find("lattice"), std::string::npos) << text;
+}
+
 TEST(HybridReasons, NameTheDistanceThatADiscLacks) {
   const FreeSpace yard = space_for(kYard, "disc:1.5");
   EXPECT_EQ(answer(yard, between({5.5, 3.5, 0}, {12, 3, 0}), kTight),

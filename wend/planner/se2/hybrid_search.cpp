@@ -13,9 +13,6 @@ constexpr int kTraceHeadings = 12;
 constexpr std::size_t kWords = 4;         // connections that are tried to a goal
 constexpr std::size_t kMostHits = 2;      // connections of a trace that are kept
 constexpr std::size_t kMostNarrow = 2;    // narrow places of a trace
-constexpr double kTight = 2;              // room beside the robot, in cells
-constexpr int kAside = 4;                 // cells that a pose in a narrow place is moved by
-constexpr int kTurns = 6;                 // times 10 degrees that it is turned by
 constexpr double kShorter = 0.62;         // the next subgoal of a trace, as a share of the last one
 constexpr double kSteadyGap = 0.003;      // of the cost of a path, that is not worth a search
 constexpr double kGrowingGap = 0.0002;    // how that grows with each expansion since the first path
@@ -46,6 +43,7 @@ HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, c
       turning_(steering),
       ring_(ring),
       field_(grid),
+      trace_(check, field_, std::max<double>(grid.size(), resolution.step)),
       seen_(resolution.position, resolution.headings),
       traced_(resolution.trace_spacing, kTraceHeadings) {}
 
@@ -158,8 +156,11 @@ void HybridSearch::expand(Index node) {
   }
   if (lattice_ != nullptr) {
     if (nodes_[node].h < 4 * steering_.radius() + resolution_.step) try_goals(node);
-    if (node == 0) join_lattice(node);
-    if (node != 0) expand_on_lattice(node);
+    if (node == 0) {
+      join_lattice(node);
+    } else {
+      expand_on_lattice(node);
+    }
     return;
   }
   const bool due = nodes_[node].traced || nodes_[node].age >= resolution_.trace_period;
@@ -183,7 +184,7 @@ void HybridSearch::expand_primitives(Index node) {
 /// Connects the start to the poses of the lattice around it.
 void HybridSearch::join_lattice(Index node) {
   const Pose start = nodes_[node].pose;
-  seen_[start] = kNone;
+  seen_[start] = kNone;  // a pose of the lattice may share its box
   const Pose middle = lattice_->nearest(start);
   constexpr int kAround = 6;  // poses of the lattice to each side
   for (int dx = -kAround; dx <= kAround; ++dx) {
@@ -264,32 +265,11 @@ bool HybridSearch::add(Index parent, std::span<const Motion> motions, double cos
   return true;
 }
 
-/// Points on the descent of the field from a point, in trace_; returns what is left of the cost at the last one.
-double HybridSearch::follow_descent(Point from) {
-  constexpr std::size_t kMostPoints = 48;
-  trace_.clear();
-  Point point = from;
-  double cost = field_.at(point).cost;
-  const double step = std::max<double>(grid_.size(), resolution_.step);
-  while (trace_.size() < kMostPoints && cost > step) {
-    const Point way = field_.descent(point);
-    const Point next{point.x + step * way.x, point.y + step * way.y};
-    if (!check_.free_space().contains(cell_at(next))) break;
-    field_.settle(next);
-    const CostField::Value there = field_.at(next);
-    if (!there.exact || !(there.cost < cost)) break;
-    point = next;
-    cost = there.cost;
-    trace_.push_back({point, check_.room_at(point)});
-  }
-  return cost;
-}
-
 void HybridSearch::expand_trace(Index node) {
   std::uint32_t& traced = traced_[nodes_[node].pose];
   if (traced != kNone) return;
   traced = node;
-  const double left = follow_descent(nodes_[node].pose.point());
+  const double left = trace_.follow(nodes_[node].pose.point());
   if (left < 4 * steering_.radius() + 2 * grid_.size()) try_goals(node);
   connect_trace(node);
 }
@@ -297,19 +277,17 @@ void HybridSearch::expand_trace(Index node) {
 /// Connects to poses on the trace: in its narrow places, then the farthest first.
 void HybridSearch::connect_trace(Index node) {
   std::size_t narrow = 0;
-  for (std::size_t i = 1; i + 1 < trace_.size() && narrow < kMostNarrow; ++i) {
-    const double room = trace_[i].room;
-    if (room < kTight && room <= trace_[i - 1].room && room < trace_[i + 1].room) {
-      ++narrow;
-      connect_to(node, pose_on_trace(i), kWords);
-    }
+  for (std::size_t i = 0; i < trace_.size() && narrow < kMostNarrow; ++i) {
+    if (!trace_.is_narrow_at(i)) continue;
+    ++narrow;
+    connect_to(node, trace_.pose(i), kWords);
   }
   std::size_t hits = 0;
   auto place = static_cast<double>(trace_.size());
   for (int tries = 0; tries < 8 && place >= 2 && hits < kMostHits; ++tries) {
     const auto i = static_cast<std::size_t>(place) - 1;
     place *= kShorter;
-    const Pose to = pose_on_trace(i);
+    const Pose to = trace_.pose(i);
     if (connect_to(node, to, 1)) ++hits;
     if (faces_away(nodes_[node].pose, to)) connect_to(node, facing_back(to), 1);
   }
@@ -332,48 +310,6 @@ bool HybridSearch::connect_to(Index node, const Pose& to, std::size_t words, boo
     }
   }
   return false;
-}
-
-/// A pose on the trace, heading along it. In a narrow place it is moved to the middle, and turned to where there is
-/// room ahead and behind.
-Pose HybridSearch::pose_on_trace(std::size_t i) const {
-  const Point before = trace_[i > 0 ? i - 1 : 0].point;
-  const Point after = trace_[std::min(i + 1, trace_.size() - 1)].point;
-  const Point at = trace_[i].point;
-  const Pose pose{at.x, at.y, arc_tangent(after.y - before.y, after.x - before.x)};
-  return trace_[i].room < kTight ? centred(pose) : pose;
-}
-
-Pose HybridSearch::centred(const Pose& pose) const {
-  const auto room_at = [&](Point point) {
-    return check_.free_space().contains(cell_at(point)) ? check_.room_at(point) : -kNoWay;
-  };
-  const auto [sine, cosine] = sine_and_cosine(pose.heading);
-  Point best = pose.point();
-  double most = room_at(best);
-  for (int i = -kAside; i <= kAside; ++i) {
-    const Point point = centre_of(cell_at({pose.x - i * sine, pose.y + i * cosine}));
-    const double room = room_at(point);
-    if (room > most) {
-      most = room;
-      best = point;
-    }
-  }
-  double heading = pose.heading;
-  most = -kNoWay;
-  for (int i = -kTurns; i <= kTurns; ++i) {
-    const double turned = pose.heading + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * kPi / 18;
-    const auto [up, along] = sine_and_cosine(turned);
-    double room = kNoWay;
-    for (const double way : {-4.0, -2.0, 2.0, 4.0}) {
-      room = std::min(room, room_at({best.x + way * along, best.y + way * up}));
-    }
-    if (room > most + 1e-6) {
-      most = room;
-      heading = turned;
-    }
-  }
-  return {best.x, best.y, wrapped_angle(heading)};
 }
 
 void HybridSearch::try_goals(Index node) {

@@ -17,6 +17,7 @@
 
 #include "wend/base/limits.hpp"
 #include "wend/planner/observer.hpp"
+#include "wend/planner/se2/descent_trace.hpp"
 #include "wend/planner/se2/drive.hpp"
 #include "wend/planner/se2/hybrid_goal.hpp"
 #include "wend/planner/se2/hybrid_resolution.hpp"
@@ -79,11 +80,6 @@ class HybridSearch {
     std::uint8_t age;  // primitives since the last trace
   };
 
-  struct TracePoint {
-    Point point;
-    double room;  // beside the robot, in cells
-  };
-
   struct Open {
     double f;
     Index node;
@@ -103,9 +99,6 @@ class HybridSearch {
   void expand_trace(Index node);
   void connect_trace(Index node);
   bool connect_to(Index node, const Pose& to, std::size_t words, bool exactly = false);
-  Pose pose_on_trace(std::size_t i) const;
-  Pose centred(const Pose& pose) const;
-  double follow_descent(Point from);
   void try_goals(Index node);
   bool try_goal(Index node, const HybridGoal& goal);
   std::optional<double> drive(Index node, std::span<const Motion> motions, double limit);
@@ -127,12 +120,12 @@ class HybridSearch {
   TurningCost turning_;
   const GoalRing& ring_;
   CostField field_;
+  DescentTrace trace_;
   PoseTable seen_;
   PoseTable traced_;
   std::vector<Node> nodes_;
   std::vector<Motion> motions_;
   std::vector<Open> open_;
-  std::vector<TracePoint> trace_;
   std::vector<CostField::Seed> seeds_;
   std::span<const HybridGoal> goals_;
   SearchObserver* observer_ = nullptr;

@@ -15,7 +15,8 @@ struct NoDriveFound {
   };
 
   Why why = Why::none_found;
-  HybridResolution searched;  // at which there is no drive
+  HybridResolution searched;      // the finest at which no pose is left
+  bool lattice_searched = false;  // is no pose of the lattice left either?
 };
 
 }  // namespace wend
