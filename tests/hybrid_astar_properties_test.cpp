@@ -261,14 +261,15 @@ void drive_larger(std::string_view footprint, std::uint64_t seeds) {
 
 class HybridAStarPaths : public ::testing::TestWithParam<std::string_view> {
  protected:
-  static std::uint64_t some() { return share_of(40U); }
+  static constexpr std::uint64_t kSome =
+      40;  // under the sanitizer, too: sums of few pairs say nothing
   static constexpr std::uint64_t kMany = 2000;
 };
 
-TEST_P(HybridAStarPaths, AreFreeByBruteForce) { drive_everywhere(GetParam(), some()); }
-TEST_P(HybridAStarPaths, CanBeDrivenBackAtTheSameCost) { drive_back(GetParam(), some()); }
-TEST_P(HybridAStarPaths, CostTheSameOnATurnedMap) { drive_turned(GetParam(), some()); }
-TEST_P(HybridAStarPaths, CostTheSameForALargerRobotThatFits) { drive_larger(GetParam(), some()); }
+TEST_P(HybridAStarPaths, AreFreeByBruteForce) { drive_everywhere(GetParam(), share_of(kSome)); }
+TEST_P(HybridAStarPaths, CanBeDrivenBackAtTheSameCost) { drive_back(GetParam(), kSome); }
+TEST_P(HybridAStarPaths, CostTheSameOnATurnedMap) { drive_turned(GetParam(), kSome); }
+TEST_P(HybridAStarPaths, CostTheSameForALargerRobotThatFits) { drive_larger(GetParam(), kSome); }
 
 TEST_P(HybridAStarPaths, AreFreeByBruteForceInALongRun) { drive_everywhere(GetParam(), kMany); }
 TEST_P(HybridAStarPaths, CanBeDrivenBackInALongRun) { drive_back(GetParam(), kMany); }
