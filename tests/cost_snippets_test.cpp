@@ -13,6 +13,8 @@
 #include "wend/map/masked.hpp"
 #include "wend/map/occupancy.hpp"
 #include "wend/map/own_costs.hpp"
+#include "wend/map/value_edit.hpp"
+#include "wend/map/value_rows.hpp"
 #include "wend/session/session.hpp"
 #include "wend/space/grid/line_cost.hpp"
 
@@ -35,6 +37,25 @@ void read_costmap() {
 TEST(Snippets, OfCostmaps) {
   read_costmap();
   EXPECT_EQ(reported, "a costmap");
+}
+
+TEST(Snippets, OfTheDifferenceOfValues) {
+  const std::vector<std::int8_t> before{0, 0, 0, 0};
+  const std::vector<std::int8_t> after{0, 0, 0, 100};
+  const auto found = wend::difference<std::int8_t>({before, 2}, {after, 2});
+  const wend::Cell first = found.box.begin;  // (1, 1)
+  EXPECT_EQ(first, (wend::Cell{1, 1}));
+  EXPECT_EQ(found.cells, 1);
+}
+
+TEST(Snippets, OfEditsBetweenValues) {
+  const std::vector<std::uint8_t> before{0, 0, 0, 0};
+  const std::vector<std::uint8_t> after{0, 254, 0, 0};
+  const auto read = [](std::uint8_t cost) { return wend::meaning_of_cost(cost); };
+  const wend::MapEdit edit =
+      wend::edit_between<std::uint8_t>({before, 2}, {after, 2}, {0, 0}, read);
+  const bool changed = !edit.cells.empty() || !edit.states.empty();
+  EXPECT_TRUE(changed);
 }
 
 void lay_zones(const wend::GridMap& office) {

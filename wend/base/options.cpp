@@ -60,6 +60,29 @@ std::string parse(std::string_view text, double& value, OptionRange range) {
   return parse_in_range(text, value, range.least, range.greatest);
 }
 
+std::string fault_of(const OptionInfo& option, std::string_view text) {
+  const OptionRange range{option.least, option.greatest};
+  switch (option.kind) {
+    case OptionKind::flag: {
+      bool value = false;
+      return parse(text, value);
+    }
+    case OptionKind::integer: {
+      std::int64_t value = 0;
+      return parse(text, value, range);
+    }
+    case OptionKind::number: {
+      double value = 0;
+      return parse(text, value, range);
+    }
+    case OptionKind::choice:
+      break;
+  }
+  const bool known =
+      std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end();
+  return known ? std::string() : unknown_choice(text, option.choices);
+}
+
 std::string unknown_choice(std::string_view text, const std::vector<std::string>& choices) {
   return quoted(text) + " is not one of " + listed(choices);
 }

@@ -85,6 +85,8 @@ WEND_API std::string unknown_choice(std::string_view text, const std::vector<std
 WEND_API Error option_error(const std::string& option, const std::string& what);
 /// The error of an option that does not exist; suggests a similar name.
 WEND_API Error unknown_option(std::string_view name, const std::vector<std::string>& known);
+/// What is wrong with a text as the value of an option that is known by its schema; empty if nothing is.
+WEND_API std::string fault_of(const OptionInfo& option, std::string_view text);
 /// "true" or "false".
 WEND_API std::string format(bool value);
 

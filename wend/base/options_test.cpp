@@ -106,6 +106,18 @@ TEST(OptionSchema, DefaultsAreValuesThatTheOptionTakes) {
   }
 }
 
+TEST(OptionSchema, FindsTheSameFaultsAsTheParser) {
+  for (const OptionInfo& option : option_schema<BoatOptions>()) {
+    for (const std::string text :
+         {"", "true", "1", "0.5", "60.5", "1e3", "-1", "red", "blue", "nan"}) {
+      const std::string fault = option_text::fault_of(option, text);
+      const std::string expected =
+          fault.empty() ? "no error" : option_text::option_error(option.name, fault).message;
+      EXPECT_EQ(error_of({{option.name, text}}), expected) << option.name << " = " << text;
+    }
+  }
+}
+
 TEST(OptionKindNames, AreWords) {
   EXPECT_EQ(to_string(OptionKind::flag), "flag");
   EXPECT_EQ(to_string(OptionKind::integer), "integer");

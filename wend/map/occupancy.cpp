@@ -1,5 +1,6 @@
 #include "wend/map/occupancy.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -72,13 +73,10 @@ ByteTable table_of(const OccupancyScale& scale) {
 }
 
 ByteTable table_of(const CostmapScale& scale) {
-  constexpr double kDearest = kInscribed - 1;
   ByteTable table{};
-  for (int v = 0; v < kNoInformation; ++v) {
-    const bool occupied = v >= kInscribed;
-    table[index_of(v)] = occupied
-                             ? ByteMeaning{CellState::occupied}
-                             : ByteMeaning{CellState::free, 1 + scale.cost_factor * v / kDearest};
+  for (int v = 0; v <= kNoInformation; ++v) {
+    const CellMeaning meaning = meaning_of_cost(static_cast<std::uint8_t>(v), scale);
+    table[index_of(v)] = {meaning.state, meaning.terrain.value_or(1)};
   }
   return table;
 }
@@ -160,6 +158,15 @@ Expected<GridMap, Error> map_from_costmap(std::span<const std::uint8_t> costs, i
                                           const CostmapScale& scale) {
   if (auto fault = fault_of_factor(scale.cost_factor)) return Unexpected<Error>(*std::move(fault));
   return map_of(costs, width, height, frame, table_of(scale));
+}
+
+CellMeaning meaning_of_cost(std::uint8_t cost, const CostmapScale& scale) {
+  constexpr int kDearest = kInscribed - 1;
+  if (cost == kNoInformation) return {CellState::unknown};
+  if (cost > kInscribed || (cost == kInscribed && scale.inscribed_blocked)) {
+    return {CellState::occupied};
+  }
+  return {CellState::free, 1 + scale.cost_factor * std::min<int>(cost, kDearest) / kDearest};
 }
 
 Expected<GridMap, Error> map_from_speed_mask(std::span<const std::int8_t> values, int width,

@@ -6,6 +6,7 @@
 //   bytes                    blocked                free, and its multiplier                     unknown
 //   nav_msgs/OccupancyGrid   occupied_from to 100   v below that: 1 + cost_factor v / 100        all others
 //   costmap_2d               253, 254               v up to 252: 1 + cost_factor v / 252         255
+//   the same, uninflated     254                    v up to 252 the same, 253 like 252           255
 //   speed mask               none                   0: 1; v up to 100: top speed / its limit     all others
 //
 // Values are row by row; the first is that of cell (0, 0). In a grid of ROS that is the lower left cell, so its
@@ -24,6 +25,7 @@
 #include "wend/base/error.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/map/value_edit.hpp"
 
 namespace wend {
 
@@ -36,6 +38,11 @@ struct OccupancyScale {
 /// How to read a costmap of costmap_2d.
 struct CostmapScale {
   double cost_factor = 4;  // what the value 252 adds to a multiplier of 1, in 0..1e6
+  bool inscribed_blocked =
+      true;  // is 253, within the inscribed radius of an obstacle, blocked? If not, the
+             // robot to plan with is the real one, not a point
+
+  friend bool operator==(const CostmapScale&, const CostmapScale&) = default;
 };
 
 /// How to read a speed mask. The value v of 1 to 100 limits the speed to base + multiplier v. A limit that is
@@ -55,10 +62,13 @@ WEND_API Expected<GridMap, Error> map_from_occupancy(std::span<const std::int8_t
                                                      const OccupancyScale& scale = {});
 
 /// The map of a costmap. Obstacles in it have grown by the robot's radius already (253), so the robot to plan
-/// with is a point. Fails as map_from_occupancy() does. O(cells).
+/// with is a point, unless the scale says that 253 is free. Fails as map_from_occupancy() does. O(cells).
 WEND_API Expected<GridMap, Error> map_from_costmap(std::span<const std::uint8_t> costs, int width,
                                                    int height, const Frame& frame,
                                                    const CostmapScale& scale = {});
+
+/// What a byte of a costmap says of its cell, see edit_between(). For a valid scale. O(1).
+WEND_API CellMeaning meaning_of_cost(std::uint8_t cost, const CostmapScale& scale = {});
 
 /// The map of a speed mask, to be laid over another map by masked(). The cost of a cell is then the time that it
 /// takes. Fails as map_from_occupancy() does. O(cells).

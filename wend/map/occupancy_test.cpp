@@ -62,6 +62,22 @@ TEST(Occupancy, OfEveryCostOfACostmapIsWhatCostmap2dSays) {
   }
 }
 
+TEST(Occupancy, OfACostmapForTheRealRobotOnlyLethalCellsAreBlocked) {
+  const auto costs = all_bytes<std::uint8_t>();
+  const CostmapScale scale{.cost_factor = 2, .inscribed_blocked = false};
+  const auto map = map_from_costmap(costs, 256, 1, kOccupancyFrame, scale);
+  ASSERT_TRUE(map) << map.error().message;
+  for (int x = 0; x < 256; ++x) {
+    const auto cost = static_cast<std::uint8_t>(x);
+    const CellMeaning meaning = meaning_of_cost(cost, scale);
+    EXPECT_EQ(map->state({x, 0}), meaning.state) << x;
+    EXPECT_EQ(map->terrain({x, 0}), meaning.terrain) << x;
+    EXPECT_EQ(meaning.state == CellState::occupied, x == 254) << x;
+  }
+  EXPECT_EQ(map->terrain({253, 0}), map->terrain({252, 0}));
+  EXPECT_EQ(map->terrain({252, 0}), 3);
+}
+
 TEST(Occupancy, OfASpeedMaskIsTheTimeThatACellTakes) {
   const auto values = all_bytes<std::int8_t>();
   const auto check = [&](const SpeedScale& scale) {

@@ -2,46 +2,22 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
+
+#include "wend/map/value_edit.hpp"
 
 namespace wend_ros {
 namespace {
 
-/// Far apart, cells are edited one by one: a box around them would repair all that lies between.
-bool is_sparse(const Difference& found) {
-  constexpr std::int64_t kShare = 8;
-  return found.cells * kShare <= found.box.size();
-}
-
-std::vector<wend::CellEdit> cell_edits(const ValueRows& before, const ValueRows& after,
-                                       wend::Cell corner, const MapReading& reading) {
-  std::vector<wend::CellEdit> edits;
-  for (int y = 0; y < after.height(); ++y) {
-    const auto old_row = before.row(y);
-    const auto row = after.row(y);
-    for (std::size_t x = 0; x < row.size(); ++x) {
-      if (row[x] == old_row[x]) continue;
-      const CellReading read = read_cell(row[x], reading);
-      edits.push_back({{corner.x + static_cast<int>(x), corner.y + y}, read.state});
-      if (reading.rough) edits.back().terrain = read.terrain;
-    }
-  }
-  return edits;
-}
-
-wend::MapEdit box_edit(const ValueRows& after, wend::Cell corner, const MapReading& reading) {
-  wend::MapEdit edit{.corner = corner};
-  edit.states = {after.width(), after.height(), wend::CellState::free};
-  if (reading.rough) edit.terrain = {after.width(), after.height(), 1.0};
-  for (int y = 0; y < after.height(); ++y) {
-    for (int x = 0; x < after.width(); ++x) {
-      const CellReading read = read_cell(after.row(y)[static_cast<std::size_t>(x)], reading);
-      edit.states[{x, y}] = read.state;
-      if (reading.rough) edit.terrain[{x, y}] = read.terrain;
-    }
-  }
-  return edit;
+/// What a value says of its cell, for an edit: without rough ground the terrain stays as it is.
+auto reader_of(const MapReading& reading) {
+  return [&reading](std::int8_t value) {
+    const CellReading read = read_cell(value, reading);
+    return wend::CellMeaning{read.state,
+                             reading.rough ? std::optional(read.terrain) : std::nullopt};
+  };
 }
 
 }  // namespace
@@ -51,12 +27,7 @@ bool is_empty(const wend::MapEdit& edit) { return edit.box().empty() && edit.cel
 /// The edit that makes the values of this box these ones.
 wend::MapEdit OccupancyMap::edit_to(const ValueRows& values, const wend::CellBox& box) const {
   const ValueRows before = ValueRows(values_, layout_.width).part(box);
-  const Difference found = difference(before, values);
-  if (found.cells == 0) return {};
-  const wend::Cell corner{box.begin.x + found.box.begin.x, box.begin.y + found.box.begin.y};
-  const ValueRows after = values.part(found.box);
-  if (!is_sparse(found)) return box_edit(after, corner, reading_);
-  return {.cells = cell_edits(before.part(found.box), after, corner, reading_)};
+  return wend::edit_between(before, values, box.begin, reader_of(reading_));
 }
 
 void OccupancyMap::store(const ValueRows& values, const wend::CellBox& box) {

@@ -158,27 +158,9 @@ bool is_called(const OptionInfo& option, std::string_view name) {
 
 /// What is wrong with a value, empty if nothing is.
 std::string fault_of(const OptionInfo& option, std::string_view text) {
-  const wend::OptionRange range{option.least, option.greatest};
-  switch (option.kind) {
-    case OptionKind::flag: {
-      bool value = false;
-      return wend::option_text::parse(text, value);
-    }
-    case OptionKind::integer: {
-      std::int64_t value = 0;
-      return wend::option_text::parse(text, value, range);
-    }
-    case OptionKind::number: {
-      double value = 0;
-      return wend::option_text::parse(text, value, range);
-    }
-    case OptionKind::choice:
-      break;
-  }
   const auto* const typed = std::ranges::find(kTexts, option.name, &TextParameter::name);
   if (typed != kTexts.end()) return text.empty() ? std::string() : typed->fault(text);
-  const bool known = std::ranges::find(option.choices, text) != option.choices.end();
-  return known ? std::string() : wend::option_text::unknown_choice(text, option.choices);
+  return wend::option_text::fault_of(option, text);
 }
 
 bool is_true(std::string_view text) {

@@ -15,13 +15,16 @@
 #include "wend/base/error.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/map/map_edit.hpp"
+#include "wend/map/value_rows.hpp"
 #include "wend_ros/occupancy.hpp"
-#include "wend_ros/value_rows.hpp"
 
 namespace wend_ros {
 
 /// Does an edit name no cells?
 bool is_empty(const wend::MapEdit& edit);
+
+/// Values of cells, row by row.
+using ValueRows = wend::ValueRows<std::int8_t>;
 
 class OccupancyMap {
  public:

@@ -1,11 +1,12 @@
-#include "wend_ros/value_rows.hpp"
+#include "wend/map/value_rows.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <random>
 #include <vector>
 
-namespace wend_ros {
+namespace wend {
 namespace {
 
 TEST(ValueRows, DifferenceIsWhatEachCellSays) {
@@ -19,15 +20,15 @@ TEST(ValueRows, DifferenceIsWhatEachCellSays) {
     for (auto i = random() % 4; i > 0; --i) {
       after[random() % after.size()] = static_cast<std::int8_t>(random() % 3);
     }
-    wend::CellBox box;
+    CellBox box;
     std::int64_t cells = 0;
     for (std::size_t i = 0; i < after.size(); ++i) {
       if (before[i] == after[i]) continue;
-      const wend::Cell cell{static_cast<int>(i % width), static_cast<int>(i / width)};
+      const Cell cell{static_cast<int>(i % width), static_cast<int>(i / width)};
       box = box.joined_with({cell, {cell.x + 1, cell.y + 1}});
       ++cells;
     }
-    const Difference found = difference({before, width}, {after, width});
+    const Difference found = difference<std::int8_t>({before, width}, {after, width});
     ASSERT_EQ(found.box, box);
     ASSERT_EQ(found.cells, cells);
   }
@@ -35,16 +36,17 @@ TEST(ValueRows, DifferenceIsWhatEachCellSays) {
 
 TEST(ValueRows, APartHasTheValuesOfItsBox) {
   const std::vector<std::int8_t> values{0, 1, 2, 3, 10, 11, 12, 13, 20, 21, 22, 23};
-  const ValueRows rows(values, 4);
+  const ValueRows<std::int8_t> rows(values, 4);
   EXPECT_EQ(rows.height(), 3);
-  const ValueRows part = rows.part({{1, 1}, {3, 3}});
+  const ValueRows<std::int8_t> part = rows.part({{1, 1}, {3, 3}});
   ASSERT_EQ(part.width(), 2);
   ASSERT_EQ(part.height(), 2);
   EXPECT_EQ(part.row(0)[0], 11);
   EXPECT_EQ(part.row(1)[1], 22);
-  const ValueRows corner = part.part({{1, 1}, {2, 2}});
+  EXPECT_EQ((part[{1, 0}]), 12);
+  const ValueRows<std::int8_t> corner = part.part({{1, 1}, {2, 2}});
   EXPECT_EQ(corner.row(0)[0], 22);
 }
 
 }  // namespace
-}  // namespace wend_ros
+}  // namespace wend
