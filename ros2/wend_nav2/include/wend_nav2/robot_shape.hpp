@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// RobotShape: the robot as a costmap knows it, and what becomes of it for a rule about obstacles. Knows no ROS.
+
+#include <optional>
+#include <span>
+
+#include "wend/base/error.hpp"
+#include "wend/geometry/map_pose.hpp"
+#include "wend/map/occupancy.hpp"
+#include "wend/robot/footprint.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend_nav2/planner_settings.hpp"
+
+namespace wend_nav2 {
+
+struct RobotShape {
+  wend::Footprint footprint = {};  // metres; a disc if the costmap has a radius
+  bool inflated = true;            // does the costmap mark 253 where the robot's centre may not be?
+};
+
+/// The footprint with these corners, in the robot's frame. Corners that are as good as a circle around it, as Nav2
+/// publishes for a radius, are a disc. Fails as wend::Footprint::polygon() does.
+wend::Expected<wend::Footprint, wend::Error> footprint_from(
+    std::span<const wend::MapPoint> corners);
+
+/// Never `automatic`.
+ObstacleRule rule_for(ObstacleRule rule, const RobotShape& robot);
+
+/// How costs are read, and the robot to plan with, for a rule that is not `automatic`.
+wend::CostmapScale scale_for(ObstacleRule rule, double cost_factor);
+wend::FreeSpaceOptions robot_for(ObstacleRule rule, const RobotShape& robot, bool allow_unknown);
+
+}  // namespace wend_nav2

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wend_nav2/path_planner.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "wend/planner/planners.hpp"
+#include "wend_nav2/path_poses.hpp"
+
+namespace wend_nav2 {
+namespace {
+
+wend::SessionOptions session_options() {
+  return {.idle_planners = 2,
+          .hints = {.unknown_free = "allow_unknown: true",
+                    .squeeze = "connectivity: \"8\" and corner_rule: both",
+                    .robot_radius = "a robot_radius of the costmap of",
+                    .nearest = "nearest: true",
+                    .limit_seconds = "time_limit"}};
+}
+
+bool is_finite(const wend::MapPose& pose) { return std::isfinite(pose.x + pose.y + pose.heading); }
+
+wend::Capabilities capabilities_of(const std::string& planner) {
+  const wend::PlannerInfo* info = wend::planners().find(planner);
+  return info == nullptr ? wend::Capabilities{} : info->capabilities;
+}
+
+wend::Unexpected<Failure> no_path(FailureKind kind, std::string message) {
+  return wend::Unexpected<Failure>(Failure{kind, std::move(message)});
+}
+
+/// May a path that ends near the goal be found where none to it was?
+bool may_end_nearby(FailureKind kind) {
+  return kind == FailureKind::goal_occupied || kind == FailureKind::no_valid_path;
+}
+
+}  // namespace
+
+/// The time and the caller's patience of one call. The search reads its clock every few hundred expansions, on this
+/// thread: there the caller is asked, too.
+struct PathPlanner::Watch {
+  const CancelChecker& cancelled;
+  double end;  // on the steady clock
+  std::atomic<bool> stop = false;
+
+  double read() {
+    if (cancelled && cancelled()) stop = true;
+    return wend::steady_seconds();
+  }
+};
+
+PathPlanner::PathPlanner() : session_(session_options()) {}
+
+wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan(const PathRequest& request,
+                                                              const CancelChecker& cancelled) {
+  if (!is_finite(request.start) || !is_finite(request.goal)) {
+    return no_path(FailureKind::other, "the start or the goal contains NaN or infinity");
+  }
+  const double limit = settings_.plugin.time_limit;
+  Watch watch{
+      .cancelled = cancelled,
+      .end = limit > 0 ? wend::steady_seconds() + limit : std::numeric_limits<double>::infinity()};
+  if (auto ready = prepare(request.robot); !ready) {
+    return wend::Unexpected<Failure>(std::move(ready.error()));
+  }
+  auto exact = plan_within(request, 0, watch);
+  const double tolerance = settings_.plugin.tolerance;
+  if (exact || tolerance == 0 || !may_end_nearby(exact.error().kind)) return exact;
+  for (const double share : {0.25, 0.5, 1.0}) {
+    auto near = plan_within(request, share * tolerance, watch);
+    // What was cancelled or ran out of time has not shown that there is no path.
+    if (near || !may_end_nearby(near.error().kind)) return near;
+  }
+  return exact;
+}
+
+wend::Expected<void, Failure> PathPlanner::prepare(const RobotShape& robot) {
+  const PluginOptions& plugin = settings_.plugin;
+  const ObstacleRule rule = rule_for(plugin.obstacles, robot);
+  wend::FreeSpaceOptions options = robot_for(rule, robot, plugin.allow_unknown);
+  options.primitives = settings_.primitives;
+  session_.set_robot(std::move(options));
+  // Planners that do not know costs would refuse every inflated costmap.
+  const double factor = capabilities_of(settings_.planner).terrain ? plugin.cost_factor : 0;
+  const auto brought = costmap_.bring_to(session_, scale_for(rule, factor));
+  if (!brought) return wend::Unexpected<Failure>(failure_of(brought.error()));
+  return {};
+}
+
+wend::PlanRequest PathPlanner::request_of(const PathRequest& request, double tolerance,
+                                          Watch& watch) const {
+  const PluginOptions& plugin = settings_.plugin;
+  wend::PlanRequest made{
+      .start = request.start,
+      .goals = {{.point = request.goal.point(),
+                 .heading = request.goal.heading,
+                 .tolerance = tolerance,
+                 .heading_tolerance = plugin.heading_tolerance}},
+      .planner = {settings_.planner, settings_.options},
+      .limits = {.clock = [&watch] { return watch.read(); }, .cancel = &watch.stop},
+      .nearest = plugin.nearest,
+      .explain = plugin.explain};
+  made.limits.seconds = watch.end - wend::steady_seconds();
+  if (plugin.smooth && !capabilities_of(settings_.planner).headings) {
+    made.refinement.smoother = wend::SmootherChoice{};
+  }
+  return made;
+}
+
+wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan_within(const PathRequest& request,
+                                                                     double tolerance,
+                                                                     Watch& watch) {
+  const double now = watch.read();
+  if (watch.stop) return no_path(FailureKind::cancelled, "planning was cancelled");
+  if (now >= watch.end) {
+    return no_path(FailureKind::timed_out, "the time limit passed before the search");
+  }
+  const wend::PlanRequest made = request_of(request, tolerance, watch);
+  const auto answer = settings_.plugin.replan ? session_.replan(made) : session_.plan(made);
+  if (!answer) {
+    return wend::Unexpected<Failure>(
+        Failure{kind_of(answer.error().status), answer.error().message});
+  }
+  return poses_of(*answer, request);
+}
+
+PathPlanner::Poses PathPlanner::poses_of(const wend::PlanAnswer& answer,
+                                         const PathRequest& request) const {
+  const wend::Frame& frame = answer.space.map().frame();
+  const double asked = settings_.plugin.spacing;
+  const double spacing = asked > 0 ? asked : frame.resolution;
+  const wend::Path& path = answer.path();
+  if (path.driven()) return poses_along(path, frame, spacing);
+  const wend::Adjacency adjacency = answer.moves.value_or(wend::GridMoves{}).adjacency();
+  Poses poses = poses_along(
+      with_exact_ends(path, answer.space, adjacency, request.start, request.goal), frame, spacing);
+  poses.back().heading = request.goal.heading;
+  return poses;
+}
+
+}  // namespace wend_nav2

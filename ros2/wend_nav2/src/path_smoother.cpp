@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wend_nav2/path_smoother.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <span>
+#include <utility>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/path/smoother.hpp"
+
+namespace wend_nav2 {
+namespace {
+
+using Poses = PathSmoother::Poses;
+
+// `drive` smooths arcs, of which a list of poses does not tell.
+constexpr std::array<std::string_view, 2> kSmoothers{"gradient", "curvature"};
+constexpr std::string_view kUnsafe = "unsafe";
+
+bool is_offered(std::string_view smoother) {
+  return std::ranges::find(kSmoothers, smoother) != kSmoothers.end();
+}
+
+wend::Point step(const wend::MapPose& from, const wend::MapPose& to) {
+  return {to.x - from.x, to.y - from.y};
+}
+
+double dot(wend::Point a, wend::Point b) { return a.x * b.x + a.y * b.y; }
+
+/// Is a path cut at this inner pose?
+bool is_cut(const wend::MapPose& before, const wend::MapPose& at, const wend::MapPose& after) {
+  const wend::Point in = step(before, at);
+  const wend::Point out = step(at, after);
+  return dot(in, in) == 0 || dot(out, out) == 0 || dot(in, out) < 0;
+}
+
+/// The places of the poses where pieces begin, and that of the last pose.
+std::vector<std::size_t> cuts_of(const Poses& path) {
+  std::vector<std::size_t> cuts{0};
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    if (is_cut(path[i - 1], path[i], path[i + 1])) cuts.push_back(i);
+  }
+  cuts.push_back(path.size() - 1);
+  return cuts;
+}
+
+/// Is a piece driven in reverse? Most of its way decides; paths without headings face along +x.
+bool in_reverse(std::span<const wend::MapPose> piece) {
+  double ahead = 0;
+  bool turns = false;
+  for (std::size_t i = 0; i + 1 < piece.size(); ++i) {
+    const wend::Point way = step(piece[i], piece[i + 1]);
+    ahead += dot(way, {std::cos(piece[i].heading), std::sin(piece[i].heading)});
+    turns = turns || piece[i].heading != 0;
+  }
+  return turns && ahead < 0;
+}
+
+/// The smoothed points as poses; the first and the last keep their headings.
+void append_piece(Poses& poses, const std::vector<wend::MapPoint>& points,
+                  std::span<const wend::MapPose> piece) {
+  const double turned = in_reverse(piece) ? wend::kPi : 0;
+  poses.push_back(piece.front());
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double way = std::atan2(points[i + 1].y - points[i].y, points[i + 1].x - points[i].x);
+    poses.push_back({points[i].x, points[i].y, wend::normalized_angle(way + turned)});
+  }
+}
+
+wend::Unexpected<Failure> no_smoothing(const wend::Error& error, FailureKind kind) {
+  return wend::Unexpected<Failure>(Failure{kind, error.message});
+}
+
+wend::Path waypoints(std::span<const wend::MapPose> piece, const wend::Frame& frame) {
+  std::vector<wend::Point> points;
+  for (const wend::MapPose& pose : piece) points.push_back(frame.to_grid(pose.point()));
+  return wend::Path::along(std::move(points));
+}
+
+}  // namespace
+
+SmootherSchema smoother_schema(std::string_view smoother) {
+  SmootherSchema schema{.name = {.name = std::string(kSmootherParameter),
+                                 .aliases = {},
+                                 .kind = wend::OptionKind::choice,
+                                 .default_value = std::string(kSmoothers.front()),
+                                 .choices = {kSmoothers.begin(), kSmoothers.end()},
+                                 .help = "name of the smoother"},
+                        .plugin = wend::option_schema<SmootherOptions>(),
+                        .smoother = {}};
+  const wend::SmootherInfo* info =
+      is_offered(smoother) ? wend::smoothers().find(smoother) : nullptr;
+  if (info == nullptr) return schema;
+  std::ranges::copy_if(info->options, std::back_inserter(schema.smoother),
+                       [](const wend::OptionInfo& option) { return option.name != kUnsafe; });
+  return schema;
+}
+
+wend::Expected<SmootherSettings, wend::Error> smoother_settings_from(
+    std::string_view smoother, const wend::OptionValues& values) {
+  const SmootherSchema schema = smoother_schema(smoother);
+  if (!is_offered(smoother)) {
+    return wend::Unexpected<wend::Error>(wend::option_text::option_error(
+        schema.name.name, wend::option_text::unknown_choice(smoother, schema.name.choices)));
+  }
+  SmootherSettings settings{.smoother = std::string(smoother), .plugin = {}, .options = {}};
+  wend::OptionValues of_plugin;
+  for (const auto& value : values) {
+    const bool own = std::ranges::find(schema.smoother, value.first, &wend::OptionInfo::name) !=
+                     schema.smoother.end();
+    (own ? settings.options : of_plugin).push_back(value);
+  }
+  auto plugin = wend::parse_options<SmootherOptions>(of_plugin);
+  if (!plugin) return wend::Unexpected<wend::Error>(std::move(plugin.error()));
+  settings.plugin = *plugin;
+  const auto made = wend::make_smoother(smoother, settings.options);
+  if (!made) return wend::Unexpected<wend::Error>(made.error());
+  return settings;
+}
+
+wend::Expected<PathSmoother::Result, Failure> PathSmoother::smooth(
+    const Poses& path, const RobotShape& robot, const std::function<bool()>& time_is_up) {
+  if (path.size() < 3) return Result{path};
+  const ObstacleRule rule = rule_for(settings_.plugin.obstacles, robot);
+  session_.set_robot(robot_for(rule, robot, settings_.plugin.allow_unknown));
+  const auto brought = costmap_.bring_to(session_, scale_for(rule, 0));
+  if (!brought) return no_smoothing(brought.error(), FailureKind::other);
+  const auto view = session_.view();
+  if (!view) return no_smoothing(view.error(), FailureKind::other);
+  const auto smoother = wend::make_smoother(settings_.smoother, settings_.options);
+  if (!smoother) return no_smoothing(smoother.error(), FailureKind::invalid_planner);
+  const wend::Frame& frame = view->space.map().frame();
+  Result result;
+  const std::vector<std::size_t> cuts = cuts_of(path);
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const std::span<const wend::MapPose> piece =
+        std::span(path).subspan(cuts[i], cuts[i + 1] - cuts[i] + 1);
+    if (time_is_up()) {
+      result.complete = false;
+      result.poses.insert(result.poses.end(), piece.begin(), piece.end() - 1);
+      continue;
+    }
+    const auto smoothed = (*smoother)(waypoints(piece, frame), view->space);
+    if (!smoothed) return no_smoothing(smoothed.error(), FailureKind::no_valid_path);
+    append_piece(result.poses, smoothed->path.points_in_metres(frame), piece);
+  }
+  result.poses.push_back(path.back());
+  return result;
+}
+
+}  // namespace wend_nav2

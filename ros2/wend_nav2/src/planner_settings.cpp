@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wend_nav2/planner_settings.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "wend/io/primitives/load_primitives.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend_nav2 {
+namespace {
+
+const wend::OptionInfo* find(const std::vector<wend::OptionInfo>& options, std::string_view name) {
+  const auto found = std::ranges::find(options, name, &wend::OptionInfo::name);
+  return found == options.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+PlannerSchema planner_schema(std::string_view planner) {
+  const wend::PlannerInfo* info = wend::planners().find(planner);
+  return {.name = {.name = std::string(kPlannerParameter),
+                   .aliases = {},
+                   .kind = wend::OptionKind::choice,
+                   .default_value = std::string(kDefaultPlanner),
+                   .choices = wend::planners().names(),
+                   .help = "name of the planner"},
+          .plugin = wend::option_schema<PluginOptions>(),
+          .planner = info == nullptr ? std::vector<wend::OptionInfo>() : info->options};
+}
+
+wend::Expected<PlannerSettings, wend::Error> settings_from(std::string_view planner,
+                                                           const wend::OptionValues& values,
+                                                           std::string_view primitives) {
+  if (wend::planners().find(planner) == nullptr) {
+    return wend::failure(wend::Status::invalid_option, wend::planners().unknown("planner", planner),
+                         "planner");
+  }
+  const PlannerSchema schema = planner_schema(planner);
+  PlannerSettings settings{.planner = std::string(planner)};
+  wend::OptionValues of_plugin;
+  for (const auto& [name, value] : values) {
+    const wend::OptionInfo* own = find(schema.planner, name);
+    if (own == nullptr) {
+      of_plugin.emplace_back(name, value);
+      continue;
+    }
+    if (std::string fault = wend::option_text::fault_of(*own, value); !fault.empty()) {
+      return wend::Unexpected<wend::Error>(wend::option_text::option_error(name, fault));
+    }
+    // Some defaults stand for what the planner chooses by itself.
+    if (value != own->default_value) settings.options.emplace_back(name, value);
+  }
+  auto plugin = wend::parse_options<PluginOptions>(of_plugin);
+  if (!plugin) return wend::Unexpected<wend::Error>(std::move(plugin.error()));
+  settings.plugin = *plugin;
+  if (!primitives.empty()) {
+    auto loaded = wend::load_primitives(primitives);
+    if (!loaded) return wend::Unexpected<wend::Error>(std::move(loaded.error()));
+    settings.primitives = *std::move(loaded);
+  }
+  return settings;
+}
+
+}  // namespace wend_nav2

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wend_nav2/path_smoother.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "costmaps.hpp"
+#include "wend_nav2/path_planner.hpp"
+
+namespace wend_nav2 {
+namespace {
+
+using Poses = PathSmoother::Poses;
+using test::Costmap;
+using test::costmap_of;
+using test::empty_costmap;
+using test::middle_of;
+
+const RobotShape kRound{wend::Footprint::disc(0.1), true};
+
+bool never() { return false; }
+
+wend::Expected<PathSmoother::Result, Failure> smooth(const Costmap& map, const Poses& path,
+                                                     const std::string& smoother = "gradient") {
+  PathSmoother made;
+  made.set(*smoother_settings_from(smoother, {}));
+  made.costmap().read(map.layout, map.costs);
+  return made.smooth(path, kRound, never);
+}
+
+double length_of(const Poses& path) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    length += distance(path[i - 1].point(), path[i].point());
+  }
+  return length;
+}
+
+/// Poses in the middles of cells from one to the next, each facing the next.
+Poses path_through(const Costmap& map, const std::vector<wend::Cell>& corners) {
+  Poses path{middle_of(map, corners.front().x, corners.front().y)};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const wend::Cell a = corners[i - 1];
+    const wend::Cell b = corners[i];
+    const int steps = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
+    for (int n = 1; n <= steps; ++n) {
+      path.push_back(middle_of(map, a.x + (b.x - a.x) * n / steps, a.y + (b.y - a.y) * n / steps));
+    }
+  }
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    path[i].heading = std::atan2(path[i + 1].y - path[i].y, path[i + 1].x - path[i].x);
+  }
+  path.back().heading = path[path.size() - 2].heading;
+  return path;
+}
+
+RC_GTEST_PROP(PathSmoother, KeepsTheEndsAndStaysFree, ()) {
+  const int width = *rc::gen::inRange(4, 16);
+  const int height = *rc::gen::inRange(4, 16);
+  Costmap map = empty_costmap(width, height);
+  for (auto& cost : map.costs) {
+    const int kind = *rc::gen::inRange(0, 5);
+    cost = kind == 0 ? 254 : 0;
+  }
+  map.at(0, 0) = 0;
+  map.at(width - 1, height - 1) = 0;
+  PathPlanner planner;
+  planner.set(*settings_from("astar", {{"smooth", "false"}, {"tolerance", "0"}}));
+  planner.costmap().read(map.layout, map.costs);
+  const auto planned = planner.plan(
+      {middle_of(map, 0, 0, 2), middle_of(map, width - 1, height - 1, -1), kRound}, {});
+  if (!planned) return;
+  const auto name = *rc::gen::elementOf(std::vector<std::string>{"gradient", "curvature"});
+  const auto smoothed = smooth(map, *planned, name);
+  RC_ASSERT(smoothed.has_value());
+  RC_ASSERT(smoothed->complete);
+  RC_ASSERT(smoothed->poses.front() == planned->front());
+  RC_ASSERT(smoothed->poses.back() == planned->back());
+  RC_ASSERT(length_of(smoothed->poses) <= length_of(*planned) + 1e-6);
+  for (const wend::MapPose& pose : smoothed->poses) {
+    const auto cost = map.at(static_cast<int>(std::floor(pose.x / 0.1 + 1e-9)),
+                             static_cast<int>(std::floor(pose.y / 0.1 + 1e-9)));
+    const auto below = map.at(static_cast<int>(std::floor(pose.x / 0.1 - 1e-9)),
+                              static_cast<int>(std::floor(pose.y / 0.1 - 1e-9)));
+    RC_ASSERT(cost < 253 || below < 253);
+  }
+}
+
+TEST(PathSmoother, RoundsACorner) {
+  const Costmap map = empty_costmap(20, 20);
+  const Poses path = path_through(map, {{2, 2}, {15, 2}, {15, 15}});
+  const auto smoothed = smooth(map, path);
+  ASSERT_TRUE(smoothed);
+  EXPECT_LT(length_of(smoothed->poses), length_of(path) - 0.05);
+  for (std::size_t i = 0; i + 2 < smoothed->poses.size(); ++i) {
+    const double turn = smoothed->poses[i + 1].heading - smoothed->poses[i].heading;
+    EXPECT_LT(std::abs(turn), 0.6);
+  }
+}
+
+TEST(PathSmoother, KeepsAChangeOfGearAndDrivesBackInReverse) {
+  const Costmap map = empty_costmap(20, 20);
+  Poses path = path_through(map, {{2, 2}, {15, 5}, {3, 12}});
+  const std::size_t cusp = 13;
+  ASSERT_EQ(path[cusp].point(), middle_of(map, 15, 5).point());
+  for (std::size_t i = cusp; i < path.size(); ++i) path[i].heading += wend::kPi;
+  const auto smoothed = smooth(map, path);
+  ASSERT_TRUE(smoothed);
+  EXPECT_EQ(smoothed->poses[cusp], path[cusp]);
+  for (std::size_t i = cusp + 1; i + 1 < smoothed->poses.size(); ++i) {
+    const wend::MapPose& pose = smoothed->poses[i];
+    const wend::MapPose& next = smoothed->poses[i + 1];
+    const double ahead =
+        std::cos(pose.heading) * (next.x - pose.x) + std::sin(pose.heading) * (next.y - pose.y);
+    EXPECT_LT(ahead, 0) << i;
+  }
+}
+
+TEST(PathSmoother, RefusesAPathThatIsNotFree) {
+  Costmap map = empty_costmap(20, 20);
+  const Poses path = path_through(map, {{2, 2}, {15, 2}});
+  map.at(7, 2) = 254;
+  const auto smoothed = smooth(map, path);
+  ASSERT_FALSE(smoothed);
+  EXPECT_EQ(to_string(smoothed.error().kind), "no_valid_path");
+}
+
+TEST(PathSmoother, LeavesTheRestAsItIsWhenTheTimeIsUp) {
+  const Costmap map = empty_costmap(20, 20);
+  PathSmoother smoother;
+  smoother.costmap().read(map.layout, map.costs);
+  const Poses path = path_through(map, {{2, 2}, {15, 2}, {15, 15}});
+  const auto result = smoother.smooth(path, kRound, [] { return true; });
+  ASSERT_TRUE(result);
+  EXPECT_FALSE(result->complete);
+  EXPECT_EQ(result->poses, path);
+}
+
+TEST(PathSmoother, LeavesAPathOfFewPosesAsItIs) {
+  PathSmoother smoother;
+  for (const std::size_t size : {0, 1, 2}) {
+    const Poses path(size, wend::MapPose{1, 1, 0});
+    EXPECT_EQ(smoother.smooth(path, kRound, never)->poses, path);
+  }
+}
+
+TEST(SmootherSettings, TakeOptionsButNeverUnsafe) {
+  const auto settings =
+      smoother_settings_from("gradient", {{"beta", "0.4"}, {"allow_unknown", "false"}});
+  ASSERT_TRUE(settings) << settings.error().message;
+  EXPECT_EQ(settings->options, (wend::OptionValues{{"beta", "0.4"}}));
+  EXPECT_FALSE(settings->plugin.allow_unknown);
+  EXPECT_FALSE(smoother_settings_from("gradient", {{"unsafe", "true"}}));
+  EXPECT_FALSE(smoother_settings_from("gradient", {{"alpha", "3"}}));
+  EXPECT_FALSE(smoother_settings_from("drive", {}));
+  EXPECT_TRUE(smoother_schema("drive").smoother.empty());
+  EXPECT_FALSE(smoother_schema("curvature").smoother.empty());
+}
+
+}  // namespace
+}  // namespace wend_nav2

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wend_nav2/robot_shape.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace wend_nav2 {
+namespace {
+
+std::vector<wend::MapPoint> circle_of(int corners, double radius) {
+  std::vector<wend::MapPoint> circle;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * M_PI * i / corners;
+    circle.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return circle;
+}
+
+const std::vector<wend::MapPoint> kBox{{0.4, 0.2}, {-0.3, 0.2}, {-0.3, -0.2}, {0.4, -0.2}};
+
+TEST(RobotShape, TheCornersThatNav2PublishesForARadiusAreADisc) {
+  const auto round = footprint_from(circle_of(16, 0.22));
+  ASSERT_TRUE(round) << round.error().message;
+  EXPECT_EQ(round->outline(), nullptr);
+  EXPECT_NEAR(round->circumscribed_radius(), 0.22, 1e-12);
+}
+
+TEST(RobotShape, OtherCornersAreAPolygon) {
+  EXPECT_NE(footprint_from(circle_of(8, 0.22))->outline(), nullptr);
+  EXPECT_NE(footprint_from(kBox)->outline(), nullptr);
+  EXPECT_FALSE(footprint_from(std::vector<wend::MapPoint>{{1, 1}, {2, 2}}));
+}
+
+TEST(RobotShape, ARoundRobotInAnInflatedCostmapIsAPoint) {
+  const RobotShape round{wend::Footprint::disc(0.2), true};
+  const RobotShape bare{wend::Footprint::disc(0.2), false};
+  const RobotShape box{*footprint_from(kBox), true};
+  EXPECT_EQ(rule_for(ObstacleRule::automatic, round), ObstacleRule::inscribed);
+  EXPECT_EQ(rule_for(ObstacleRule::automatic, bare), ObstacleRule::footprint);
+  EXPECT_EQ(rule_for(ObstacleRule::automatic, box), ObstacleRule::footprint);
+  EXPECT_EQ(rule_for(ObstacleRule::inscribed, box), ObstacleRule::inscribed);
+  EXPECT_EQ(rule_for(ObstacleRule::footprint, round), ObstacleRule::footprint);
+  EXPECT_TRUE(robot_for(ObstacleRule::inscribed, box, true).footprint.is_point());
+  EXPECT_EQ(robot_for(ObstacleRule::footprint, box, true).footprint, box.footprint);
+  EXPECT_TRUE(scale_for(ObstacleRule::inscribed, 4).inscribed_blocked);
+  EXPECT_FALSE(scale_for(ObstacleRule::footprint, 4).inscribed_blocked);
+}
+
+TEST(RobotShape, UnknownCellsAreWhatTheParameterSays) {
+  const RobotShape round{wend::Footprint::disc(0.2), true};
+  EXPECT_EQ(robot_for(ObstacleRule::inscribed, round, true).unknown, wend::UnknownPolicy::free);
+  EXPECT_EQ(robot_for(ObstacleRule::inscribed, round, false).unknown, wend::UnknownPolicy::blocked);
+}
+
+}  // namespace
+}  // namespace wend_nav2
