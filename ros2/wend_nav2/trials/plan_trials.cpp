@@ -43,9 +43,10 @@ struct Entrant {
 
 std::vector<Entrant> entrants_of(CostmapHost& host) {
   auto& node = host.node();
-  node.declare_parameter("planner_plugins", std::vector<std::string>());
+  const std::vector<std::string> names =
+      node.declare_parameter("planner_plugins", std::vector<std::string>());
   std::vector<Entrant> entrants;
-  for (const auto& name : node.get_parameter("planner_plugins").as_string_array()) {
+  for (const std::string& name : names) {
     const std::string type = node.declare_parameter(name + ".plugin", std::string());
     Entrant& entrant = entrants.emplace_back();
     entrant.name = name;

@@ -35,16 +35,22 @@ class Plugins : public testing::Test {
                                "-p",           "resolution:=0.1",
                                "-p",           "robot_radius:=0.1"};
     rclcpp::init(static_cast<int>(std::size(arguments)), arguments);
-  }
-  static void TearDownTestSuite() { rclcpp::shutdown(); }
-
-  void SetUp() override {
-    node_ = std::make_shared<Node>("planner_server");
+    // One for all tests: its executor must spin before it can be stopped.
     costmap_ = std::make_shared<nav2_costmap_2d::Costmap2DROS>("global_costmap", "/",
                                                                "global_costmap", false);
     costmap_->configure();
   }
-  void TearDown() override { costmap_->cleanup(); }
+  static void TearDownTestSuite() {
+    costmap_->cleanup();
+    costmap_.reset();
+    rclcpp::shutdown();
+  }
+
+  void SetUp() override {
+    node_ = std::make_shared<Node>("planner_server");
+    auto& costs = *costmap_->getCostmap();
+    costs.resetMap(0, 0, costs.getSizeInCellsX(), costs.getSizeInCellsY());
+  }
 
   std::shared_ptr<nav2_core::GlobalPlanner> planner(
       const std::vector<rclcpp::Parameter>& set = {}) {
@@ -83,7 +89,7 @@ class Plugins : public testing::Test {
   }
 
   std::shared_ptr<Node> node_;
-  std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;
+  static inline std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;
   pluginlib::ClassLoader<nav2_core::GlobalPlanner> loader_{"nav2_core", "nav2_core::GlobalPlanner"};
 };
 
@@ -130,14 +136,13 @@ TEST_F(Plugins, SeesWhatTheCostmapHasNow) {
 }
 
 TEST_F(Plugins, ParametersHaveRangesAndChangeWhileItRuns) {
-  const auto made = planner({{"wend.planner", "astar"}});
-  EXPECT_FALSE(node_->set_parameter({"wend.weight", 0.5}).successful);
+  const auto made = planner();
+  EXPECT_FALSE(node_->set_parameter({"wend.weight", -1.0}).successful);
   EXPECT_FALSE(node_->set_parameter({"wend.connectivity", "6"}).successful);
   EXPECT_FALSE(node_->set_parameter({"wend.planner", "jps"}).successful);
   EXPECT_TRUE(node_->set_parameter({"wend.weight", 2}).successful) << "a whole number";
   EXPECT_TRUE(node_->set_parameter({"wend.connectivity", 4}).successful);
   EXPECT_TRUE(node_->set_parameter({"wend.smooth", false}).successful);
-  EXPECT_TRUE(node_->set_parameter({"other.weight", 0.5}).successful == false) << "not declared";
   const auto path = plan(*made, pose(0.55, 0.55), pose(2.55, 2.55));
   EXPECT_EQ(path.poses.size(), 41U) << "20 + 20 steps to four neighbours";
 }
