@@ -186,6 +186,8 @@ void expect_to_drive_alike(const MotionPrimitives& set, InFile written) {
   const auto read = written(set);
   ASSERT_TRUE(read) << read.error().message;
   int found = 0;
+  double driven = 0;
+  double on_lattice = 0;
   for (std::uint64_t seed = 0; seed < share_of(40U); ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Random random(seed);
@@ -202,8 +204,11 @@ void expect_to_drive_alike(const MotionPrimitives& set, InFile written) {
     EXPECT_NEAR(from_file->cost, from_memory->cost, 1e-6);
     const auto hybrid = hybrid_plan(space, kSetRadius, query);
     ASSERT_TRUE(hybrid) << hybrid.error().message;
-    EXPECT_LE(hybrid->cost, 1.02 * from_memory->cost + 1e-9);
+    EXPECT_LE(hybrid->cost, 1.1 * from_memory->cost + 1e-9);
+    driven += hybrid->cost;
+    on_lattice += from_memory->cost;
   }
+  EXPECT_LE(driven, on_lattice);
   EXPECT_GT(found, static_cast<int>(share_of(20U)));
 }
 

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,6 +58,8 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
+constexpr double kNoWay = std::numeric_limits<double>::infinity();
+
 /// Costs of queries; nothing without a path.
 using Costs = std::vector<std::optional<double>>;
 
@@ -65,8 +68,10 @@ std::string costs_against(const Costs& costs, const Costs& others) {
   double sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < costs.size(); ++i) {
-    if (!costs[i] || !others[i]) continue;
-    sum += *costs[i] / *others[i];
+    const std::optional<double> cost = costs[i];
+    const std::optional<double> other = others[i];
+    if (!cost || !other) continue;
+    sum += *cost / *other;
     ++count;
   }
   return count == 0 ? "" : fmt::format("{:.4f}", sum / count);
@@ -77,7 +82,8 @@ Costs lowest_costs(const std::vector<Se2Run>& runs) {
   Costs lowest = runs.front().costs;
   for (const Se2Run& run : runs) {
     for (std::size_t i = 0; i < lowest.size(); ++i) {
-      if (run.costs[i] && (!lowest[i] || *run.costs[i] < *lowest[i])) lowest[i] = run.costs[i];
+      const std::optional<double> cost = run.costs[i];
+      if (cost && *cost < lowest[i].value_or(kNoWay)) lowest[i] = cost;
     }
   }
   return lowest;

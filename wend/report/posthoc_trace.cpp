@@ -308,7 +308,7 @@ void PosthocTrace::put_way(std::span<const Pose> way) {
   std::string points;
   for (const Pose& pose : way) {
     const double y = frame_.y_up ? map_height_ - pose.y : pose.y;
-    fmt::format_to(std::back_inserter(points), "{}{{\"x\": {:.3f}, \"y\": {:.3f}}}",
+    fmt::format_to(std::back_inserter(points), R"({}{{"x": {:.3f}, "y": {:.3f}}})",
                    points.empty() ? "[" : ", ", pose.x, y);
   }
   text_.put("way", std::string_view(points + "]"));
