@@ -19,7 +19,7 @@ using test::costmap_of;
 using test::empty_costmap;
 using test::middle_of;
 
-const RobotShape kRound{wend::Footprint::disc(0.1), true};
+const RobotShape kRoundRobot{wend::Footprint::disc(0.1), true};
 
 PlannerSettings settings_of(std::string_view planner, const wend::OptionValues& values = {}) {
   return *settings_from(planner, values);
@@ -28,7 +28,7 @@ PlannerSettings settings_of(std::string_view planner, const wend::OptionValues& 
 wend::Expected<PathPlanner::Poses, Failure> plan(PathPlanner& planner, const Costmap& map,
                                                  const wend::MapPose& start,
                                                  const wend::MapPose& goal,
-                                                 const RobotShape& robot = kRound,
+                                                 const RobotShape& robot = kRoundRobot,
                                                  const PathPlanner::CancelChecker& cancelled = {}) {
   planner.costmap().read(map.layout, map.costs);
   return planner.plan({start, goal, robot}, cancelled);
@@ -38,7 +38,7 @@ wend::Expected<PathPlanner::Poses, Failure> plan_once(const PlannerSettings& set
                                                       const Costmap& map,
                                                       const wend::MapPose& start,
                                                       const wend::MapPose& goal,
-                                                      const RobotShape& robot = kRound) {
+                                                      const RobotShape& robot = kRoundRobot) {
   PathPlanner planner;
   planner.set(settings);
   return plan(planner, map, start, goal, robot);
@@ -172,16 +172,16 @@ TEST(PathPlanner, StopsWhenItIsCancelled) {
   planner.set(settings_of("dijkstra"));
   int asked = 0;
   const auto after = [&](int calls) { return [&asked, calls] { return ++asked > calls; }; };
-  EXPECT_EQ(
-      kind_of(plan(planner, map, middle_of(map, 0, 0), middle_of(map, 199, 199), kRound, after(0))),
-      "cancelled");
+  EXPECT_EQ(kind_of(plan(planner, map, middle_of(map, 0, 0), middle_of(map, 199, 199), kRoundRobot,
+                         after(0))),
+            "cancelled");
   asked = 0;
-  EXPECT_EQ(
-      kind_of(plan(planner, map, middle_of(map, 0, 0), middle_of(map, 199, 199), kRound, after(5))),
-      "cancelled");
+  EXPECT_EQ(kind_of(plan(planner, map, middle_of(map, 0, 0), middle_of(map, 199, 199), kRoundRobot,
+                         after(5))),
+            "cancelled");
   EXPECT_LT(asked, 20);
   asked = 0;
-  EXPECT_EQ(kind_of(plan(planner, map, middle_of(map, 0, 0), middle_of(map, 199, 199), kRound,
+  EXPECT_EQ(kind_of(plan(planner, map, middle_of(map, 0, 0), middle_of(map, 199, 199), kRoundRobot,
                          after(1'000'000))),
             "found");
   EXPECT_GT(asked, 50);
@@ -293,7 +293,7 @@ TEST(PathPlanner, WrongOptionsOfAPlannerAreAnInvalidPlanner) {
   EXPECT_EQ(kind_of(plan_once(settings, map, middle_of(map, 0, 0), middle_of(map, 4, 4))),
             "invalid_planner");
   PathPlanner without_costs;
-  EXPECT_EQ(kind_of(without_costs.plan({{}, {}, kRound}, {})), "other");
+  EXPECT_EQ(kind_of(without_costs.plan({{}, {}, kRoundRobot}, {})), "other");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using test::costmap_of;
 using test::empty_costmap;
 using test::middle_of;
 
-const RobotShape kRound{wend::Footprint::disc(0.1), true};
+const RobotShape kSmallDisc{wend::Footprint::disc(0.1), true};
 
 bool never() { return false; }
 
@@ -29,7 +29,7 @@ wend::Expected<PathSmoother::Result, Failure> smooth(const Costmap& map, const P
   PathSmoother made;
   made.set(*smoother_settings_from(smoother, {}));
   made.costmap().read(map.layout, map.costs);
-  return made.smooth(path, kRound, never);
+  return made.smooth(path, kSmallDisc, never);
 }
 
 double length_of(const Poses& path) {
@@ -72,7 +72,7 @@ RC_GTEST_PROP(PathSmoother, KeepsTheEndsAndStaysFree, ()) {
   planner.set(*settings_from("astar", {{"smooth", "false"}, {"tolerance", "0"}}));
   planner.costmap().read(map.layout, map.costs);
   const auto planned = planner.plan(
-      {middle_of(map, 0, 0, 2), middle_of(map, width - 1, height - 1, -1), kRound}, {});
+      {middle_of(map, 0, 0, 2), middle_of(map, width - 1, height - 1, -1), kSmallDisc}, {});
   if (!planned) return;
   const auto name = *rc::gen::elementOf(std::vector<std::string>{"gradient", "curvature"});
   const auto smoothed = smooth(map, *planned, name);
@@ -134,7 +134,7 @@ TEST(PathSmoother, LeavesTheRestAsItIsWhenTheTimeIsUp) {
   PathSmoother smoother;
   smoother.costmap().read(map.layout, map.costs);
   const Poses path = path_through(map, {{2, 2}, {15, 2}, {15, 15}});
-  const auto result = smoother.smooth(path, kRound, [] { return true; });
+  const auto result = smoother.smooth(path, kSmallDisc, [] { return true; });
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->complete);
   EXPECT_EQ(result->poses, path);
@@ -144,7 +144,7 @@ TEST(PathSmoother, LeavesAPathOfFewPosesAsItIs) {
   PathSmoother smoother;
   for (const std::size_t size : {0, 1, 2}) {
     const Poses path(size, wend::MapPose{1, 1, 0});
-    EXPECT_EQ(smoother.smooth(path, kRound, never)->poses, path);
+    EXPECT_EQ(smoother.smooth(path, kSmallDisc, never)->poses, path);
   }
 }
 
