@@ -5,15 +5,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <tf2_ros/buffer.h>
 #include <nav2_core/global_planner.hpp>
 #include <nav2_core/planner_exceptions.hpp>
 #include <nav2_core/smoother.hpp>
+#include <nav2_core/smoother_exceptions.hpp>
 #include <nav2_costmap_2d/costmap_2d_ros.hpp>
+#include <nav2_costmap_2d/costmap_subscriber.hpp>
+#include <nav2_costmap_2d/footprint_subscriber.hpp>
+#include <nav2_msgs/msg/costmap.hpp>
 #include <pluginlib/class_loader.hpp>
 #include <rclcpp/rclcpp.hpp>
 
@@ -163,10 +170,99 @@ TEST_F(Plugins, CanBeConfiguredAgainAfterCleanup) {
   EXPECT_FALSE(plan(*made, pose(1, 1), pose(2, 2)).poses.empty());
 }
 
-TEST(SmootherPlugin, IsFoundAndLoaded) {
-  pluginlib::ClassLoader<nav2_core::Smoother> loader("nav2_core", "nav2_core::Smoother");
-  EXPECT_TRUE(loader.isClassAvailable("wend_nav2::Smoother"));
-  EXPECT_NE(loader.createSharedInstance("wend_nav2::Smoother"), nullptr);
+/// What the smoother server gives its smoothers: a costmap and a footprint from topics.
+class SmootherPlugin : public Plugins {
+ protected:
+  SmootherPlugin() {
+    geometry_msgs::msg::TransformStamped place;
+    place.header.frame_id = "map";
+    place.child_frame_id = "base_link";
+    place.transform.rotation.w = 1;
+    transforms_->setUsingDedicatedThread(true);
+    transforms_->setTransform(place, "test", true);
+    publish();
+    made_->configure(node_of_smoother_, "safe", transforms_, costs_, footprint_);
+    made_->activate();
+  }
+
+  void publish() {
+    nav2_msgs::msg::Costmap costs;
+    costs.header.frame_id = "map";
+    costs.metadata.size_x = costs.metadata.size_y = 40;
+    costs.metadata.resolution = 0.1f;
+    costs.data.assign(1600, 0);
+    costs.data[20 * 40 + 10] = 254;
+    costs_topic_->publish(costs);
+    geometry_msgs::msg::PolygonStamped footprint;
+    footprint.header.frame_id = "map";
+    for (int i = 0; i < 16; ++i) {
+      auto& corner = footprint.polygon.points.emplace_back();
+      corner.x = static_cast<float>(0.1 * std::cos(i * M_PI / 8));
+      corner.y = static_cast<float>(0.1 * std::sin(i * M_PI / 8));
+    }
+    footprint_topic_->publish(footprint);
+    for (int i = 0; i < 100 && !has_both(); ++i) {
+      rclcpp::spin_some(node_of_topics_);
+      rclcpp::sleep_for(std::chrono::milliseconds(20));
+    }
+    ASSERT_TRUE(has_both());
+  }
+
+  bool has_both() {
+    std::vector<geometry_msgs::msg::Point> corners;
+    std_msgs::msg::Header header;
+    try {
+      return costs_->getCostmap() && footprint_->getFootprintInRobotFrame(corners, header);
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+  }
+
+  static nav_msgs::msg::Path corner_path(double y) {
+    nav_msgs::msg::Path path;
+    path.header.frame_id = "map";
+    for (int i = 0; i <= 20; ++i) path.poses.push_back(pose(0.5 + 0.1 * i, y));
+    for (int i = 1; i <= 15; ++i) path.poses.push_back(pose(2.5, y + 0.1 * i));
+    return path;
+  }
+
+  std::shared_ptr<rclcpp::Node> node_of_topics_ = std::make_shared<rclcpp::Node>("topics");
+  std::shared_ptr<Node> node_of_smoother_ = std::make_shared<Node>("smoother_server");
+  rclcpp::QoS latched_ = rclcpp::QoS(1).transient_local().reliable();
+  rclcpp::Publisher<nav2_msgs::msg::Costmap>::SharedPtr costs_topic_ =
+      node_of_topics_->create_publisher<nav2_msgs::msg::Costmap>("costs_raw", latched_);
+  rclcpp::Publisher<geometry_msgs::msg::PolygonStamped>::SharedPtr footprint_topic_ =
+      node_of_topics_->create_publisher<geometry_msgs::msg::PolygonStamped>("footprint", 1);
+  std::shared_ptr<tf2_ros::Buffer> transforms_ =
+      std::make_shared<tf2_ros::Buffer>(node_of_topics_->get_clock());
+  std::shared_ptr<nav2_costmap_2d::CostmapSubscriber> costs_ =
+      std::make_shared<nav2_costmap_2d::CostmapSubscriber>(node_of_topics_, "costs_raw");
+  std::shared_ptr<nav2_costmap_2d::FootprintSubscriber> footprint_ =
+      std::make_shared<nav2_costmap_2d::FootprintSubscriber>(node_of_topics_, "footprint",
+                                                             *transforms_, "base_link", 10.0);
+  pluginlib::ClassLoader<nav2_core::Smoother> smoothers_{"nav2_core", "nav2_core::Smoother"};
+  std::shared_ptr<nav2_core::Smoother> made_ =
+      smoothers_.createSharedInstance("wend_nav2::Smoother");
+};
+
+TEST_F(SmootherPlugin, RoundsACornerAndKeepsTheEnds) {
+  auto path = corner_path(0.55);
+  const auto before = path;
+  EXPECT_TRUE(made_->smooth(path, rclcpp::Duration::from_seconds(5)));
+  EXPECT_EQ(path.poses.front().pose, before.poses.front().pose);
+  EXPECT_EQ(path.poses.back().pose, before.poses.back().pose);
+  EXPECT_GT(path.poses[20].pose.position.y, 0.56) << "the corner is cut";
+}
+
+TEST_F(SmootherPlugin, RefusesAPathThroughAnObstacle) {
+  auto path = corner_path(2.05);
+  EXPECT_THROW(made_->smooth(path, rclcpp::Duration::from_seconds(5)), nav2_core::InvalidPath);
+}
+
+TEST_F(SmootherPlugin, SaysThatItHadNoTime) {
+  auto path = corner_path(0.55);
+  EXPECT_FALSE(made_->smooth(path, rclcpp::Duration::from_seconds(-1)));
+  EXPECT_EQ(path.poses.size(), corner_path(0.55).poses.size());
 }
 
 }  // namespace
