@@ -1,7 +1,8 @@
 // EngineModule: wend as a WebAssembly module. One instance has one map, one robot and one search.
 
+import { generalText, numberOf, shortestText } from './number_text';
 import type {
-  CellInfo, Failure, Frame, Layer, MapInfo, Outcome, Range, Registry, Task, Window,
+  CellInfo, Failure, Frame, Layer, MapInfo, Outcome, Places, Pose, Range, Registry, Task, Window,
 } from './types';
 
 interface Exports {
@@ -11,13 +12,15 @@ interface Exports {
   text(): number;
   text_size(): number;
   registry(): void;
-  load(width: number, height: number, resolution: number, originX: number, originY: number, yUp: number, metric: number): void;
+  load(width: number, height: number, resolution: number, originX: number, originY: number, originYaw: number, yUp: number, metric: number): void;
   generate(text: number, width: number, height: number, seed: number): void;
   edit(count: number): void;
   robot(text: number, distance: number, cost: number, unknownFree: number): void;
   plan(planner: number, smoother: number, startX: number, startY: number, startHeading: number,
        goalX: number, goalY: number, goalHeading: number, headings: number, record: number,
        nearest: number, expansions: number, seconds: number): void;
+  places(startX: number, startY: number, startHeading: number, goalX: number, goalY: number, goalHeading: number,
+         headings: number): void;
   cell(x: number, y: number): void;
   show(text: number): void;
   paint(width: number, height: number, left: number, top: number, cells: number, step: number): number;
@@ -30,6 +33,22 @@ interface Exports {
   parents(): number;
   steps(): number;
   expanded_at(step: number): number;
+}
+
+/** Numbers as text: see lab/wasm/number_text.cpp. */
+function numberCalls(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
+  return {
+    write_number: (value: number, digits: number, address: number): number => {
+      const text = digits === 0 ? shortestText(value) : generalText(value, digits);
+      return new TextEncoder().encodeInto(text, new Uint8Array(memory().buffer, address, 48)).written;
+    },
+    read_number: (address: number, size: number, to: number): number => {
+      const value = numberOf(new TextDecoder().decode(new Uint8Array(memory().buffer, address, size)));
+      if (typeof value !== 'number') return value === undefined ? 1 : 2;
+      new DataView(memory().buffer).setFloat64(to, value, true);
+      return 0;
+    },
+  };
 }
 
 /** The system calls that the module may make: the clock and random numbers; it has no files. */
@@ -56,10 +75,11 @@ export class EngineModule {
 
   static async from(module: WebAssembly.Module): Promise<EngineModule> {
     let memory: WebAssembly.Memory | undefined;
-    const calls = systemCalls(() => memory!);
+    const calls = numberCalls(() => memory!);
+    const system = systemCalls(() => memory!);
     const imports: Record<string, Record<string, WebAssembly.ImportValue>> = {};
     for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-      (imports[from] ??= {})[name] = calls[name]!;
+      (imports[from] ??= {})[name] = (from === 'lab' ? calls : system)[name]!;
     }
     const instance = await WebAssembly.instantiate(module, imports);
     const wasm = instance.exports as unknown as Exports;
@@ -76,7 +96,7 @@ export class EngineModule {
   load(cells: Uint8Array, width: number, height: number, frame: Frame): MapInfo | Failure {
     this.bytes(this.wasm.input(cells.length), cells.length).set(cells);
     this.wasm.load(width, height, frame.resolution, frame.originX, frame.originY,
-                   Number(frame.yUp), Number(frame.metric));
+                   frame.originYaw, Number(frame.yUp), Number(frame.metric));
     return this.answer<MapInfo | Failure>();
   }
 
@@ -116,6 +136,12 @@ export class EngineModule {
                    task.seconds ?? 0);
     const outcome = this.answer<Outcome | Failure>();
     return 'error' in outcome ? outcome : { ...outcome, path: this.points() };
+  }
+
+  /** The nearest places where the robot fits: at their headings, or for a planner on cells. */
+  places(start: Pose, goal: Pose, headings: boolean): Places | Failure {
+    this.wasm.places(start.x, start.y, start.heading, goal.x, goal.y, goal.heading, Number(headings));
+    return this.answer<Places | Failure>();
   }
 
   cell(x: number, y: number): CellInfo | Failure {

@@ -65,11 +65,13 @@ export interface Frame {
   resolution: number;
   originX: number;
   originY: number;
+  /** Radians. */
+  originYaw: number;
   yUp: boolean;
   metric: boolean;
 }
 
-export const plainFrame: Frame = { resolution: 1, originX: 0, originY: 0, yUp: false, metric: false };
+export const plainFrame: Frame = { resolution: 1, originX: 0, originY: 0, originYaw: 0, yUp: false, metric: false };
 
 export interface MapInfo extends Frame {
   width: number;
@@ -136,6 +138,12 @@ export interface CellInfo {
   f?: number | null;
   /** The chain of parents to the start, as points. */
   chain: Float64Array;
+}
+
+/** Where the robot fits, near both ends. */
+export interface Places {
+  start: Pose;
+  goal: Pose;
 }
 
 export interface Window {

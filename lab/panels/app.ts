@@ -100,7 +100,8 @@ export class App extends LitElement {
             <lab-layers .store=${this.store} .state=${state} .range=${this.searches.runners[0]?.range ?? null}
               @show=${(event: CustomEvent<Layer>) => this.show(event.detail)}></lab-layers></section>
           <section><h2>Robot and path</h2>
-            <lab-robot .store=${this.store} .registry=${this.registry} .state=${state}></lab-robot></section>
+            <lab-robot .store=${this.store} .registry=${this.registry} .state=${state}
+              @shape=${(event: CustomEvent<string>) => this.shape(event.detail)}></lab-robot></section>
           <section><h2>Map</h2>
             <lab-map-panel .registry=${this.registry} .recipe=${state.map.recipe ?? firstRecipe}
               name="${state.map.name}, ${state.map.width} × ${state.map.height} cells"
@@ -136,7 +137,7 @@ export class App extends LitElement {
       ${many ? html`<figcaption>${run.planner}</figcaption>` : nothing}
       ${reason ? html`<p class="reason">${reason}.</p>` : nothing}
       <lab-map .store=${this.store} .clock=${this.clock} .runner=${this.searches.runners[i]!} .camera=${this.camera}
-        .headings=${this.registry!.planners.some(({ name, headings }) => name === run.planner && headings)}
+        .headings=${this.turns(run.planner)}
         .colours=${colours} .stepOf=${() => this.searches.stepOf(i, this.store.state)}
         label="Map with the search of ${run.planner}. Arrow keys move the cursor, space paints, S and G set start and goal."
         @camera=${() => this.refreshViews()} @resized=${() => this.fit()}
@@ -168,7 +169,7 @@ export class App extends LitElement {
       this.say(`${linked}.`);
       return false;
     }
-    const change = await fromLink(linked, (each) => this.searches.make(each));
+    const change = await fromLink(linked, this.registry!, (each) => this.searches.make(each));
     this.step = 'error' in change ? null : linked.step;
     return this.take(change, this.store.state.map !== null);
   }
@@ -178,6 +179,18 @@ export class App extends LitElement {
     if (typeof opened === 'string') return this.say(`${opened}.`);
     this.queries = opened.queries;
     this.take(opened.change, true);
+  }
+
+  /** Another robot. Ends where it does not fit move to where it does. */
+  private async shape(footprint: string): Promise<void> {
+    const { state } = this.store;
+    const places = await this.searches.runners[0]!.places(state, footprint, this.turns(state.runs[0]!.planner));
+    this.store.commit('error' in places ? { footprint } : { footprint, start: places.start, goal: places.goal });
+  }
+
+  /** Does a planner know headings? */
+  private turns(planner: string): boolean {
+    return this.registry!.planners.some(({ name, headings }) => name === planner && headings);
   }
 
   private drop(event: DragEvent): void {
@@ -203,7 +216,7 @@ export class App extends LitElement {
   }
 
   private changed(state: State, before: State, stroke?: Stroke): void {
-    this.searches.update(state, before, stroke, this.dragging || stroke !== undefined);
+    this.searches.update(state, before, stroke, this.dragging);
     this.requestUpdate();
   }
 

@@ -87,7 +87,7 @@ export class RobotPanel extends LitElement {
   }
 
   private set(footprint: string): void {
-    this.store.commit({ footprint });
+    this.dispatchEvent(new CustomEvent('shape', { detail: footprint }));
   }
 }
 

@@ -38,7 +38,10 @@ export interface Choice {
 
 export type Tool = 'wall' | 'cost' | 'erase' | 'look';
 export type Pace = 'expansions' | 'time';
-export type Exercise = '' | 'next';
+
+/** The exercises of lab/exercises; empty: none. */
+export const exercises = ['', 'next', 'heuristic', 'greedy'] as const;
+export type Exercise = (typeof exercises)[number];
 
 export interface State {
   map: MapDocument | null;

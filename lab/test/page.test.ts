@@ -123,6 +123,29 @@ describe('the page', () => {
     await page.getByText('Cell (1, 2)').waitFor();
   });
 
+  test('draws no chain of a search that is gone', async () => {
+    const chain = () => page.locator('lab-map').evaluate((view) => [...(view as unknown as { info: { chain: Float64Array } | null }).info?.chain ?? []]);
+    const cell = await pixelOf(57, 33);
+    await page.mouse.move(cell.x, cell.y);
+    await page.getByText('Cell (57, 33)').waitFor();
+    await page.getByText(/^expanded as number/).waitFor();
+    const before = await chain();
+    expect(before.length).toBeGreaterThan(9);
+    await page.getByLabel('Seed').fill('9');
+    await page.getByLabel('Seed').press('Enter');
+    await page.getByText('rooms, seed 9').waitFor();
+    await expect.poll(chain).not.toEqual(before);
+    // The pointer stays where it is.
+    await page.getByLabel('Seed').evaluate((field) => (field as HTMLElement).blur());
+    await page.keyboard.press('Control+z');
+    await expect.poll(chain).toEqual(before);
+    await page.getByLabel('Columns').fill('30');
+    await page.getByLabel('Columns').press('Enter');
+    // That cell is not on the map now.
+    await page.getByText('Cell (57, 33)').waitFor({ state: 'detached' });
+    expect(await chain()).toEqual([]);
+  });
+
   test('is worked by keyboard alone', async () => {
     await page.locator('lab-map canvas').last().focus();
     for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
@@ -199,7 +222,10 @@ describe('the page', () => {
 
   test('plans for discs and polygons, and for cars', async () => {
     await page.getByLabel('Shape').selectOption('disc');
-    await page.getByText(/^astar: The start .* is blocked/).waitFor({ state: 'attached' });
+    // Both ends move to where it fits; back at the wall it does not.
+    await page.getByText(/^astar: found/).waitFor({ state: 'attached' });
+    await drag([59, 33], [59, 34]);
+    await page.getByText(/^astar: The goal .* is blocked/).waitFor({ state: 'attached' });
     await page.getByLabel('Radius').fill('0.5');
     await page.getByLabel('Radius').press('Enter');
     await page.getByText(/^astar: found/).waitFor({ state: 'attached' });

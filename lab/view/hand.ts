@@ -20,7 +20,7 @@ export interface Ground {
   point(cell: Point | null, keyboard: boolean): void;
   /** A cell is the answer to an exercise. */
   answer(cell: Point): void;
-  /** Ends are being dragged, or no longer. */
+  /** Ends or a brush are being dragged, or no longer. */
   drag(active: boolean): void;
 }
 
@@ -54,7 +54,9 @@ export class Hand {
       this.panning = true;
     } else {
       const cell = this.cellAt(pixel);
-      if (cell) this.brush = this.brushAt(cell);
+      if (!cell) return;
+      this.ground.drag(true);
+      this.brush = this.brushAt(cell);
     }
   }
 
@@ -64,7 +66,7 @@ export class Hand {
     this.touches.set(event.pointerId, pixel);
     if (this.touches.size > 1) return this.pinch(event.pointerId, before, pixel);
     const cell = this.cellAt(pixel);
-    if (this.end && cell) this.ground.store.set({ [this.end.which]: centreOf(cell.x, cell.y) });
+    if (this.end && cell) this.moveEnd(this.end.which, cell);
     if (this.brush && cell) this.brush.moveTo(cell);
     if (this.panning) {
       this.ground.camera.pan(pixel.x - before.x, pixel.y - before.y);
@@ -74,8 +76,7 @@ export class Hand {
 
   up(event: PointerEvent): void {
     this.touches.delete(event.pointerId);
-    this.brush?.end();
-    this.brush = null;
+    this.endStroke();
     this.panning = false;
     const end = this.end;
     this.end = null;
@@ -109,7 +110,10 @@ export class Hand {
       if (store.state.exercise === '') this.brushAt(cell)?.end();
       else this.ground.answer({ ...cell });
     } else if (event.key === 's' || event.key === 'g') {
-      store.commit({ [event.key === 's' ? 'start' : 'goal']: centreOf(cell.x, cell.y) });
+      const end: End = event.key === 's' ? 'start' : 'goal';
+      const before = { [end]: store.state[end] };
+      this.moveEnd(end, cell);
+      store.commitSince(before);
     } else if (event.key === '+' || event.key === '-') {
       camera.zoomAt({ x: size.width / 2, y: size.height / 2 }, event.key === '+' ? 1.25 : 0.8);
       this.ground.moved();
@@ -121,6 +125,12 @@ export class Hand {
     }
     this.ground.point({ ...cell }, true);
     return true;
+  }
+
+  /** Moves an end to a cell, without a step to undo. Its heading stays. */
+  private moveEnd(end: End, { x, y }: Point): void {
+    const { store } = this.ground;
+    store.set({ [end]: { ...centreOf(x, y), heading: store.state[end].heading } });
   }
 
   private brushAt(cell: Point): Brush | null {
@@ -151,9 +161,15 @@ export class Hand {
   }
 
   private beginPan(): void {
-    this.brush?.end();
-    this.brush = null;
+    this.endStroke();
     this.panning = false;
+  }
+
+  private endStroke(): void {
+    if (!this.brush) return;
+    this.brush.end();
+    this.brush = null;
+    this.ground.drag(false);
   }
 
   /** Two fingers: what lay under them stays under them. */

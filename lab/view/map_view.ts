@@ -1,6 +1,7 @@
 // <lab-map>: the map and one search on it, on two canvases: cells, which the engine paints, and lines above.
 
 import { css, html, LitElement } from 'lit';
+import type { Engine } from '../engine/engine';
 import type { Runner } from '../engine/runner';
 import type { CellInfo, Window } from '../engine/types';
 import type { Clock } from '../store/clock';
@@ -43,9 +44,12 @@ export class MapView extends LitElement implements Ground {
   private painting = false;
   private stale = true;
   private paletteOf: Colours | null = null;
+  private paletteEngine: Engine | null = null;
   private cursor: Point | null = null;
   private keyboard = false;
   private info: CellInfo | null = null;
+  private infoVersion = -1;
+  private infoCells: Uint8Array | undefined;
   private parents: Uint32Array | null = null;
   private parentsVersion = -1;
   private observer = new ResizeObserver(() => this.resized());
@@ -115,7 +119,10 @@ export class MapView extends LitElement implements Ground {
 
   private async ask(): Promise<void> {
     const cell = this.cursor;
+    const { version } = this.runner;
     this.info = null;
+    this.infoVersion = version;
+    this.infoCells = this.store.state.map?.cells;
     if (cell && this.store.state.map) {
       const info = await this.runner.engine.call('cell', cell.x, cell.y);
       if (cell !== this.cursor) return;
@@ -124,6 +131,14 @@ export class MapView extends LitElement implements Ground {
     const detail: Pointed | null = cell && this.info ? { cell, info: this.info, runner: this.runner } : null;
     this.dispatchEvent(new CustomEvent('pointed', { detail }));
     this.refresh();
+  }
+
+  /** What is known of the cell under the pointer belongs to a search: another one is asked again. */
+  private askAgain(): void {
+    if (!this.cursor) return;
+    const otherMap = this.infoCells !== this.store.state.map?.cells;
+    if (otherMap) this.info = null;
+    if (otherMap || this.infoVersion !== this.runner.version) void this.ask();
   }
 
   private canvases(): [HTMLCanvasElement, HTMLCanvasElement] | null {
@@ -154,10 +169,12 @@ export class MapView extends LitElement implements Ground {
     const { width, height } = this.size;
     const map = state.map;
     if (!canvases || !map || width === 0 || height === 0) return;
-    if (this.paletteOf !== this.colours) {
+    if (this.paletteOf !== this.colours || this.paletteEngine !== this.runner.engine) {
       this.paletteOf = this.colours;
+      this.paletteEngine = this.runner.engine;
       void this.runner.engine.call('setPalette', paletteOf(this.colours));
     }
+    this.askAgain();
     const camera = this.camera.copy();
     const ratio = Math.min(devicePixelRatio, 2);
     const window: Window = {

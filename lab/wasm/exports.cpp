@@ -51,9 +51,9 @@ WEND_LAB_EXPORT(text_size) std::size_t lab_text_size() { return output().size();
 WEND_LAB_EXPORT(registry) void lab_registry() { output() = wend::lab::registry_text(); }
 
 WEND_LAB_EXPORT(load)
-void lab_load(int width, int height, double resolution, double origin_x, double origin_y, bool y_up,
-              bool metric) {
-  const wend::Frame frame{resolution, {origin_x, origin_y, 0}, y_up, metric};
+void lab_load(int width, int height, double resolution, double origin_x, double origin_y,
+              double origin_yaw, bool y_up, bool metric) {
+  const wend::Frame frame{resolution, {origin_x, origin_y, origin_yaw}, y_up, metric};
   const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   output() = lab().load({input_bytes(), size}, width, height, frame);
 }
@@ -87,6 +87,13 @@ void lab_plan(std::size_t planner, std::size_t smoother, double start_x, double 
                          .seconds = seconds,
                          .planner = std::string_view(names).substr(0, planner),
                          .smoother = std::string_view(names).substr(planner)});
+}
+
+WEND_LAB_EXPORT(places)
+void lab_places(double start_x, double start_y, double start_heading, double goal_x, double goal_y,
+                double goal_heading, bool headings) {
+  output() =
+      lab().places({start_x, start_y, start_heading}, {goal_x, goal_y, goal_heading}, headings);
 }
 
 WEND_LAB_EXPORT(cell) void lab_cell(int x, int y) { output() = lab().cell({x, y}); }

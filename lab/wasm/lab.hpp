@@ -50,6 +50,9 @@ class Lab {
 
   /// Plans; points() then has the path.
   std::string plan(const Task& task);
+  /// The nearest places to both ends where the robot fits: at their headings if `headings` is set, else where a
+  /// planner on cells can be. The ends themselves if it fits there or nowhere.
+  std::string places(const Pose& start, const Pose& goal, bool headings) const;
   /// Everything about a cell; points() then has its chain of parents.
   std::string cell(Cell cell);
   /// Computes the values of a layer by its LayerKind's name; "order" for none.
@@ -71,6 +74,10 @@ class Lab {
   std::string map_text() const;
   void forget_search();
   void find_fits();
+  /// The same after an edit.
+  void find_fits(const SpaceChange& change);
+  /// Plans; builds the index that the planner needs, if it has none of this map.
+  Expected<PlanAnswer, RequestFailure> answer_to(const PlanRequest& request);
   void put(const Path& path);
   void show_search(std::string_view layer);
   std::optional<std::string> show_field(std::string_view layer);
