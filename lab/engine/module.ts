@@ -2,7 +2,7 @@
 
 import { generalText, numberOf, shortestText } from './number_text';
 import type {
-  CellInfo, Failure, Frame, Layer, MapInfo, Outcome, Places, Pose, Range, Registry, Task, Window,
+  CellInfo, DriveReport, Failure, Frame, Knowledge, Layer, MapInfo, Outcome, Places, Pose, Range, Registry, Task, Widest, Window,
 } from './types';
 
 interface Exports {
@@ -21,6 +21,10 @@ interface Exports {
        nearest: number, expansions: number, seconds: number): void;
   places(startX: number, startY: number, startHeading: number, goalX: number, goalY: number, goalHeading: number,
          headings: number): void;
+  widest(startX: number, startY: number, goalX: number, goalY: number): void;
+  drive(controller: number, robot: number, simulation: number): void;
+  generation(): number;
+  known(): number;
   cell(x: number, y: number): void;
   show(text: number): void;
   paint(width: number, height: number, left: number, top: number, cells: number, step: number): number;
@@ -144,6 +148,21 @@ export class EngineModule {
     return this.answer<Places | Failure>();
   }
 
+  widest(start: Pose, goal: Pose): Widest | Failure {
+    this.wasm.widest(start.x, start.y, goal.x, goal.y);
+    const answer = this.answer<Widest | Failure>();
+    return 'error' in answer || !answer.joined ? answer : { ...answer, path: this.points() };
+  }
+
+  /** Drives along the last path: "pid:kp=1", "robot:speed=0.3", "simulation:rate=20". */
+  drive(controller: string, robot: string, simulation: string): DriveReport | Failure {
+    const sizes = [controller, robot, simulation].map((text) => utf8(text).length) as [number, number, number];
+    this.write(controller + robot + simulation);
+    this.wasm.drive(...sizes);
+    const answer = this.answer<DriveReport | Failure>();
+    return 'error' in answer ? answer : { ...answer, samples: this.points() };
+  }
+
   cell(x: number, y: number): CellInfo | Failure {
     this.wasm.cell(x, y);
     const info = this.answer<CellInfo | Failure>();
@@ -180,9 +199,18 @@ export class EngineModule {
 
   /** For each cell of the map the index of its parent; 2^32 - 1: none. Empty without a recorded search. */
   parents(): Uint32Array {
-    const address = this.wasm.parents();
-    return address === 0 ? new Uint32Array()
-      : new Uint32Array(this.wasm.memory.buffer, address, this.wasm.cells_size()).slice();
+    const size = this.wasm.steps() === 0 ? 0 : this.wasm.cells_size();
+    return new Uint32Array(this.wasm.memory.buffer, this.wasm.parents(), size).slice();
+  }
+
+  /** What the search knew of each cell; empty arrays without a recorded search. */
+  knowledge(): Knowledge {
+    const size = this.wasm.steps() === 0 ? 0 : this.wasm.cells_size();
+    const numbers = (address: number) => new Uint32Array(this.wasm.memory.buffer, address, size).slice();
+    return {
+      expansion: numbers(this.wasm.expansion()), generation: numbers(this.wasm.generation()), parent: numbers(this.wasm.parents()),
+      known: new Float32Array(this.wasm.memory.buffer, this.wasm.known(), 3 * size).slice(),
+    };
   }
 
   private write(text: string): number {

@@ -40,6 +40,11 @@ export class Runner {
     if (!this.busy) void this.work();
   }
 
+  /** Plans for this state; for one search beside the page's. */
+  search(state: State, choice: Choice): Promise<void> {
+    return this.plan(state, choice, false);
+  }
+
   /** Ends a search that takes too long. */
   stop(): void {
     if (!this.busy) return;

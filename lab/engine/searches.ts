@@ -6,7 +6,7 @@ import type { Stroke } from '../store/store';
 import type { Program } from './engine';
 import { Runner } from './runner';
 import type { Layer, MapInfo, Failure } from './types';
-import { specOf, type Recipe } from '../store/state';
+import { specOf, type Choice, type Recipe } from '../store/state';
 
 export class Searches {
   readonly runners: Runner[] = [];
@@ -70,6 +70,15 @@ export class Searches {
     const made = 'error' in info ? info : { info, cells: await maker.call('cells') };
     maker.end();
     return made;
+  }
+
+  /** The cells that a search expands, in order, made beside the others; null if it cannot be made. */
+  async tryOut(state: State, choice: Choice): Promise<Uint32Array | null> {
+    const runner = new Runner(this.program, () => undefined);
+    await runner.search(state, choice);
+    const order = runner.outcome ? await runner.engine.call('expansions') : null;
+    runner.end();
+    return order;
   }
 
   private resize(count: number): void {

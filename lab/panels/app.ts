@@ -7,35 +7,27 @@ import type { Failure, Layer, Registry } from '../engine/types';
 import type { ScenarioQuery } from '../formats/moving_ai';
 import { Clock } from '../store/clock';
 import { readLink } from '../store/link';
-import { fromLink, fromRecipe } from '../store/maps';
+import { firstRecipe, fromLink, fromRecipe } from '../store/maps';
 import type { Choice, Recipe, State } from '../store/state';
 import { Store, type Stroke } from '../store/store';
-import { guess, noScore } from '../exercises/next';
+import { Lesson } from '../exercises/lesson';
 import { Camera, type Point } from '../view/camera';
 import '../view/map_view';
 import type { MapView, Pointed } from '../view/map_view';
 import { dark, light } from '../view/palette';
 import { appStyle } from './app_style';
-import { endsOfQuery, save, stateOfFiles } from './desk';
-import './facts';
-import './file_panel';
+import { save, stateOfFiles } from './desk';
 import type { Saved } from './file_panel';
-import './exercise_panel';
 import { keyed } from './keys';
-import './layers_panel';
-import './map_panel';
-import './results';
-import './robot_panel';
-import './runs_panel';
 import { share } from './share';
+import './side';
+import type { Actions } from './side';
 import { panelStyle } from './style';
 import './tools_panel';
 import './transport';
-import { cellInWords, outcomeInWords } from './words';
+import { outcomeInWords } from './words';
 
-const firstRecipe: Recipe = { generator: 'rooms', options: {}, width: 61, height: 35, seed: 3 };
-
-export class App extends LitElement {
+export class App extends LitElement implements Actions {
   static override styles = [panelStyle, appStyle];
 
   private readonly store = new Store();
@@ -52,14 +44,15 @@ export class App extends LitElement {
   /** The step that a link asks for, once its searches are done. */
   private step: number | null = null;
   private unfitted = true;
-  private answers = 0;
   private queries: ScenarioQuery[] = [];
-  private score = noScore;
+  private lesson!: Lesson;
+  private drawn = 0;
 
   /** Begins with a compiled engine, its registry, and the text of a link. */
   async begin(program: Program, registry: Registry, link: string): Promise<void> {
     this.registry = registry;
     this.searches = new Searches(program, this.clock, (all) => this.answered(all));
+    this.lesson = new Lesson(this.store, this.clock, () => this.searches, registry, (message) => this.say(message));
     this.store.listen((state, before, stroke) => this.changed(state, before, stroke));
     this.clock.listen(() => this.refreshViews());
     this.scheme.addEventListener('change', () => this.requestUpdate());
@@ -90,33 +83,8 @@ export class App extends LitElement {
           ${state.runs.map((run, i) => this.view(run, i))}
         </section>
         <aside aria-label="Settings">
-          <lab-runs .store=${this.store} .registry=${this.registry} .state=${state} @count=${() => { this.unfitted = true; }}></lab-runs>
-          <section><h2>Result</h2>
-            <lab-results .runners=${this.searches.runners} .runs=${state.runs} version=${this.answers}></lab-results>
-            ${this.searches.busy ? html`<button @click=${() => this.searches.stop()}>Stop the search</button>` : nothing}
-          </section>
-          <section><h2>Under the pointer</h2>${this.cellFacts()}</section>
-          <section><h2>Colours</h2>
-            <lab-layers .store=${this.store} .state=${state} .range=${this.searches.runners[0]?.range ?? null}
-              @show=${(event: CustomEvent<Layer>) => this.show(event.detail)}></lab-layers></section>
-          <section><h2>Robot and path</h2>
-            <lab-robot .store=${this.store} .registry=${this.registry} .state=${state}
-              @shape=${(event: CustomEvent<string>) => this.shape(event.detail)}></lab-robot></section>
-          <section><h2>Map</h2>
-            <lab-map-panel .registry=${this.registry} .recipe=${state.map.recipe ?? firstRecipe}
-              name="${state.map.name}, ${state.map.width} × ${state.map.height} cells"
-              @make=${(event: CustomEvent<Recipe>) => this.make(event.detail)}></lab-map-panel>
-          </section>
-          <section><h2>Files</h2>
-            <lab-files .queries=${this.queries}
-              @open=${(event: CustomEvent<File[]>) => this.openFiles(event.detail)}
-              @query=${(event: CustomEvent<number>) => this.store.commit(endsOfQuery(this.queries[event.detail]!))}
-              @save=${(event: CustomEvent<Saved>) => this.save(event.detail)}></lab-files>
-          </section>
-          <section><h2>Exercise</h2>
-            <lab-exercise .store=${this.store} .score=${this.score} ?active=${state.exercise !== ''}
-              @begin=${() => this.beginExercise()}></lab-exercise></section>
-          ${document.getElementById('wend-wasm') ? nothing : html`<section><a href="./licences.html">Licences</a></section>`}
+          <lab-side .store=${this.store} .registry=${this.registry} .searches=${this.searches} .lesson=${this.lesson}
+            .actions=${this} .queries=${this.queries} .pointed=${this.pointed} version=${++this.drawn}></lab-side>
         </aside>
       </main>
       <footer><lab-transport .clock=${this.clock}></lab-transport></footer>
@@ -141,23 +109,17 @@ export class App extends LitElement {
         .colours=${colours} .stepOf=${() => this.searches.stepOf(i, this.store.state)}
         label="Map with the search of ${run.planner}. Arrow keys move the cursor, space paints, S and G set start and goal."
         @camera=${() => this.refreshViews()} @resized=${() => this.fit()}
-        @answer=${(event: CustomEvent<Point>) => this.guess(event.detail)}
+        @answer=${(event: CustomEvent<Point>) => this.name(event.detail)}
         @drag=${(event: CustomEvent<boolean>) => this.drag(event.detail)}
         @pointed=${(event: CustomEvent<Pointed | null>) => this.point(event.detail)}></lab-map></figure>`;
   }
 
-  private cellFacts() {
-    if (!this.pointed) return html`<p>Point at a cell, or move to the map with Tab and use the arrow keys.</p>`;
-    const { cell, info } = this.pointed;
-    return html`<lab-facts .lines=${cellInWords(cell, info, this.pointedStep())}></lab-facts>`;
-  }
-
-  private pointedStep(): number {
+  stepOfPointed(): number {
     const index = this.searches.runners.findIndex((runner) => runner === this.pointed?.runner);
     return this.searches.stepOf(index, this.store.state);
   }
 
-  private async make(recipe: Recipe, undoable = true): Promise<void> {
+  async make(recipe: Recipe, undoable = true): Promise<void> {
     this.queries = [];
     this.take(await fromRecipe(recipe, this.registry!, (each) => this.searches.make(each)), undoable);
   }
@@ -174,7 +136,7 @@ export class App extends LitElement {
     return this.take(change, this.store.state.map !== null);
   }
 
-  private async openFiles(files: File[]): Promise<void> {
+  async openFiles(files: File[]): Promise<void> {
     const opened = await stateOfFiles(files, this.store.state);
     if (typeof opened === 'string') return this.say(`${opened}.`);
     this.queries = opened.queries;
@@ -182,7 +144,7 @@ export class App extends LitElement {
   }
 
   /** Another robot. Ends where it does not fit move to where it does. */
-  private async shape(footprint: string): Promise<void> {
+  async shape(footprint: string): Promise<void> {
     const { state } = this.store;
     const places = await this.searches.runners[0]!.places(state, footprint, this.turns(state.runs[0]!.planner));
     this.store.commit('error' in places ? { footprint } : { footprint, start: places.start, goal: places.goal });
@@ -198,7 +160,7 @@ export class App extends LitElement {
     void this.openFiles([...(event.dataTransfer?.files ?? [])]);
   }
 
-  private async save(what: Saved): Promise<void> {
+  async save(what: Saved): Promise<void> {
     const path = this.searches.runners[0]?.outcome?.path ?? null;
     this.say(await save(what, this.store.state, path, this.views()[0]));
   }
@@ -221,8 +183,8 @@ export class App extends LitElement {
   }
 
   private answered(all: boolean): void {
-    ++this.answers;
     if (all) {
+      this.lesson.answered();
       const { longest } = this.searches;
       if (!this.dragging || longest > 0) this.clock.restart(longest, this.play && this.step === null);
       if (this.step !== null) this.clock.seek(this.step);
@@ -236,7 +198,7 @@ export class App extends LitElement {
     this.requestUpdate();
   }
 
-  private async show(layer: Layer): Promise<void> {
+  async show(layer: Layer): Promise<void> {
     this.store.set({ layer });
     await this.searches.show(layer);
     this.requestUpdate();
@@ -247,34 +209,23 @@ export class App extends LitElement {
     if (!active) this.searches.request(this.store.state);
   }
 
-  private beginExercise(): void {
-    this.score = noScore;
-    this.clock.playing = false;
-    this.clock.seek(1);
+  /** The answer to an exercise. */
+  private async name(cell: Point): Promise<void> {
+    await this.lesson.cell(cell);
     this.requestUpdate();
   }
 
-  private async guess(cell: Point): Promise<void> {
-    const runner = this.searches.runners[0]!;
-    const { map } = this.store.state;
-    const step = this.searches.stepOf(0, this.store.state);
-    if (!map || !runner.outcome || step >= runner.outcome.steps) return this.say('The search has ended: go back to an earlier moment.');
-    const told = {
-      expandedAt: (at: number) => runner.engine.call('expandedAt', at),
-      cell: (x: number, y: number) => runner.engine.call('cell', x, y),
-    };
-    this.score = await guess(told, map.width, step, cell, this.score);
-    this.clock.move(1);
-    this.say(this.score.said);
-  }
-
-  private async share(): Promise<void> {
+  async share(): Promise<void> {
     this.say(await share(this.store.state, this.clock.step));
   }
 
   private point(pointed: Pointed | null): void {
     this.pointed = pointed;
     this.requestUpdate();
+  }
+
+  fitSoon(): void {
+    this.unfitted = true;
   }
 
   private fit(): void {

@@ -4,6 +4,9 @@ import { obstacle, type Failure, type MapInfo, type Registry } from '../engine/t
 import type { Linked } from './link';
 import { centreOf, type MapDocument, type Place, type Recipe, type State } from './state';
 
+/** The map that a visitor sees first. */
+export const firstRecipe: Recipe = { generator: 'rooms', options: {}, width: 61, height: 35, seed: 3 };
+
 export type Maker = (recipe: Recipe) => Promise<{ info: MapInfo; cells: Uint8Array } | Failure>;
 
 /** A new map of a recipe, and ends in two of its corners. */

@@ -26,18 +26,20 @@ export function readQueryLink(text: string, registry: Registry): Linked {
   };
   const start = place('start');
   const goal = place('goal');
+  const exercise = oneOf<Exercise>('exercise', exercises, fields.get('exercise') ?? '');
+  const usual = exercise === 'greedy' ? ['greedy', 'astar'] : ['astar'];
   const planners = fields.getAll('planner');
   if (planners.length > 4) throw new Error('it has more than four planners');
   return {
     name: `${recipe.generator}, seed ${recipe.seed}`, width, height, frame: plainFrame, recipe,
     walls: fields.getAll('wall').map((wall) => wallIn(wall, width, height)),
     ...(start ? { start } : {}), ...(goal ? { goal } : {}),
-    runs: (planners.length > 0 ? planners : ['astar']).map((spec) => choiceIn(spec, registry)),
+    runs: (planners.length > 0 ? planners : usual).map((spec) => choiceIn(spec, registry)),
     footprint: fields.get('robot') ?? 'point', smoother: '', headings: false, arrows: false,
     layer: oneOf<Layer>('layer', layers, fields.get('layer') ?? ''),
     pace: oneOf('pace', ['expansions', 'time'] as const, fields.get('pace') ?? 'expansions'),
-    exercise: oneOf<Exercise>('exercise', exercises, fields.get('exercise') ?? ''),
-    step: fields.has('step') ? wholeIn('step', fields.get('step')!, 0, 2 ** 32 - 1) : null,
+    exercise,
+    step: fields.has('step') ? wholeIn('step', fields.get('step')!, 0, 2 ** 32 - 1) : exercise === 'next' ? 1 : null,
   };
 }
 

@@ -41,7 +41,7 @@ export class Hand {
     this.touches.set(event.pointerId, pixel);
     if (this.touches.size > 1) return this.beginPan();
     const { store } = this.ground;
-    if (store.state.exercise !== '' && event.button === 0) {
+    if (store.state.exercise === 'next' && event.button === 0) {
       const cell = this.cellAt(pixel);
       if (cell) this.ground.answer(cell);
       return;
@@ -107,8 +107,8 @@ export class Hand {
       camera.reveal(map, { x: cell.x + 0.5, y: cell.y + 0.5 }, size.width, size.height);
       this.ground.moved();
     } else if (event.key === ' ' || event.key === 'Enter') {
-      if (store.state.exercise === '') this.brushAt(cell)?.end();
-      else this.ground.answer({ ...cell });
+      if (store.state.exercise === 'next') this.ground.answer({ ...cell });
+      else this.brushAt(cell)?.end();
     } else if (event.key === 's' || event.key === 'g') {
       const end: End = event.key === 's' ? 'start' : 'goal';
       const before = { [end]: store.state[end] };

@@ -96,6 +96,20 @@ void lab_places(double start_x, double start_y, double start_heading, double goa
       lab().places({start_x, start_y, start_heading}, {goal_x, goal_y, goal_heading}, headings);
 }
 
+WEND_LAB_EXPORT(widest)
+void lab_widest(double start_x, double start_y, double goal_x, double goal_y) {
+  output() = lab().widest({start_x, start_y}, {goal_x, goal_y});
+}
+
+/// The input has the controller, then the robot, then the simulation.
+WEND_LAB_EXPORT(drive)
+void lab_drive(std::size_t controller, std::size_t robot, std::size_t simulation) {
+  const std::string names(input_text(0, controller + robot + simulation));
+  const std::string_view text(names);
+  output() = lab().drive(text.substr(0, controller), text.substr(controller, robot),
+                         text.substr(controller + robot));
+}
+
 WEND_LAB_EXPORT(cell) void lab_cell(int x, int y) { output() = lab().cell({x, y}); }
 
 WEND_LAB_EXPORT(show) void lab_show(std::size_t text) {
@@ -119,4 +133,9 @@ WEND_LAB_EXPORT(expanded_at) std::uint32_t lab_expanded_at(std::uint32_t step) {
   return lab().replay().expanded_at(step);
 }
 WEND_LAB_EXPORT(expansion) const void* lab_expansion() { return lab().replay().expansion().data(); }
+WEND_LAB_EXPORT(generation) const void* lab_generation() {
+  return lab().replay().generation().data();
+}
+/// g, h and f of each cell.
+WEND_LAB_EXPORT(known) const void* lab_known() { return lab().replay().known().data(); }
 WEND_LAB_EXPORT(parents) const void* lab_parents() { return lab().replay().parent().data(); }

@@ -11,7 +11,6 @@
 #include "wend/geometry/arc.hpp"
 #include "wend/path/smoother.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/session/nearest_ends.hpp"
 
 namespace wend::lab {
 namespace {
@@ -141,6 +140,7 @@ void Lab::forget_search() {
   replay_.begin(0, 0, 0);
   pyramid_.set_replay(replay_);
   points_.clear();
+  path_.reset();
   values_ = {};
 }
 
@@ -172,7 +172,8 @@ std::string Lab::plan(const Task& task) {
   goal_ = cell_at(task.goal.point());
   if (!answer) return failure_text(answer.error(), replay_.steps());
   if (answer->moves) moves_ = *answer->moves;
-  put(answer->path());
+  path_ = answer->path();
+  put(*path_);
   return plan_text(*answer, replay_.steps());
 }
 
@@ -194,31 +195,6 @@ Expected<PlanAnswer, RequestFailure> Lab::answer_to(const PlanRequest& request) 
     return answer;
   }
   return session_.plan(request);
-}
-
-std::string Lab::places(const Pose& start, const Pose& goal, bool headings) const {
-  const auto view = session_.view();
-  if (!view) return error_text(view.error());
-  Pose ends[] = {start, goal};
-  if (headings) {
-    for (Pose& end : ends) {
-      const auto near = session_.nearest(frame_.to_metres(end));
-      if (near) end = frame_.to_grid(*near);
-    }
-  } else {
-    const NearestEnds near =
-        nearest_ends(view->space, cell_at(start.point()), cell_at(goal.point()), Adjacency::edges);
-    if (near.start != cell_at(start.point())) ends[0] = pose_at(near.start, start.heading);
-    if (near.goal != cell_at(goal.point())) ends[1] = pose_at(near.goal, goal.heading);
-  }
-  Json json;
-  json.object();
-  for (int i = 0; i < 2; ++i) {
-    json.key(i == 0 ? "start" : "goal");
-    json.object().field("x", ends[i].x).field("y", ends[i].y).field("heading", ends[i].heading);
-    json.end_object();
-  }
-  return json.end_object().text();
 }
 
 void Lab::put(const Path& path) {
