@@ -3,8 +3,9 @@
 import type { Clock } from '../store/clock';
 import type { State } from '../store/state';
 import type { Stroke } from '../store/store';
-import type { Program } from './engine';
+import { Engine, type Program } from './engine';
 import { Runner } from './runner';
+import type { Planning } from './sampling';
 import type { Layer, MapInfo, Failure } from './types';
 import { specOf, type Choice, type Recipe } from '../store/state';
 
@@ -79,6 +80,20 @@ export class Searches {
     const order = runner.outcome ? await runner.engine.call('expansions') : null;
     runner.end();
     return order;
+  }
+
+  /** Engines in workers of their own, for other work than the page's searches. */
+  helpers(count: number): { planning: Planning; end(): void }[] {
+    return Array.from({ length: count }, () => {
+      const engine = new Engine(this.program);
+      return {
+        planning: {
+          load: (...args) => engine.call('load', ...args), robot: (...args) => engine.call('robot', ...args),
+          plan: (task) => engine.call('plan', task),
+        },
+        end: () => engine.end(),
+      };
+    });
   }
 
   private resize(count: number): void {

@@ -245,7 +245,7 @@ export class App extends LitElement implements Actions {
     for (const view of this.views()) view.refresh();
   }
 
-  private say(message: string): void {
+  say(message: string): void {
     this.message = message;
     this.requestUpdate();
   }

@@ -10,6 +10,7 @@ import type { Recipe } from '../store/state';
 import type { Store } from '../store/store';
 import type { Pointed } from '../view/map_view';
 import { endsOfQuery } from './desk';
+import './charts_panel';
 import './exercise_panel';
 import './facts';
 import './file_panel';
@@ -29,6 +30,7 @@ export interface Actions {
   make(recipe: Recipe): void;
   openFiles(files: File[]): void;
   save(what: Saved): void;
+  say(message: string): void;
   share(): void;
   shape(footprint: string): void;
   show(layer: Layer): void;
@@ -74,6 +76,9 @@ export class Side extends LitElement {
       ${secret ? nothing : html`<section><h2>Colours</h2>
         <lab-layers .store=${this.store} .state=${state} .range=${this.searches.runners[0]?.range ?? null}
           @show=${(event: CustomEvent<Layer>) => this.actions.show(event.detail)}></lab-layers></section>`}
+      <section><h2>Charts</h2>
+        <lab-charts .searches=${this.searches} .state=${state} version=${this.version}
+          @asked=${(event: CustomEvent<number>) => this.actions.say(`${event.detail} random queries are answered.`)}></lab-charts></section>
       <section><h2>Robot and path</h2>
         <lab-robot .store=${this.store} .registry=${this.registry} .state=${state}
           @shape=${(event: CustomEvent<string>) => this.actions.shape(event.detail)}></lab-robot></section>

@@ -288,6 +288,20 @@ describe('the page', () => {
     });
   }
 
+  test('draws charts of the searches, and of random queries', async () => {
+    await page.getByRole('button', { name: 'Compare with another planner' }).click();
+    await page.getByText('dijkstra: found').waitFor({ state: 'attached' });
+    expect(await page.locator('lab-charts i').count()).toBe(6);
+    await page.getByLabel('Random queries').fill('40');
+    await page.getByLabel('Random queries').press('Enter');
+    await page.getByRole('button', { name: 'Ask them' }).click();
+    await page.getByText('40 random queries are answered.').waitFor({ state: 'attached' });
+    await page.getByRole('img', { name: /^Expansions of astar, dijkstra for 40 random queries/ }).waitFor();
+    expect(await page.locator('lab-charts .stack > table tbody tr').count()).toBe(2);
+    await page.getByLabel('Show of each query').selectOption('Time');
+    await page.getByRole('img', { name: /^Time of/ }).waitFor();
+  });
+
   test('asks what is expanded next, and keeps score', async () => {
     await page.getByRole('button', { name: 'What is expanded next?' }).click();
     await page.getByText('0 of 0 right').waitFor();
@@ -367,7 +381,7 @@ describe('the page', () => {
 
   test('names the licences of what it contains', async () => {
     await page.getByRole('link', { name: 'Licences' }).click();
-    for (const name of ['lit ', 'fflate ', 'wasi-libc', 'libc\\+\\+']) {
+    for (const name of ['lit ', 'fflate ', 'uplot ', 'wasi-libc', 'libc\\+\\+']) {
       expect(await page.getByRole('heading', { name: new RegExp(`^${name}`) }).count()).toBeGreaterThan(0);
     }
   });
