@@ -63,6 +63,21 @@ export class Searches {
     return Math.min(Math.floor((seconds / Math.max(outcome.seconds, 1e-9)) * outcome.steps), outcome.steps);
   }
 
+  /** The moment of the clock at which a search has made `step` expansions: stepOf() the other way. */
+  clockOf(index: number, step: number, state: State): number {
+    const outcome = this.runners[index]?.outcome;
+    if (!outcome || state.pace === 'expansions' || this.clock.length === 0) return step;
+    const slowest = Math.max(...this.runners.map(({ outcome: each }) => each?.seconds ?? 0), 1e-9);
+    return Math.ceil((((step / Math.max(outcome.steps, 1)) * outcome.seconds) / slowest) * this.clock.length);
+  }
+
+  /** The moments at which a cell is expanded, by any of the searches. */
+  async momentsOf(cell: { x: number; y: number } | null, state: State): Promise<number[]> {
+    if (!cell) return [];
+    const infos = await Promise.all(this.runners.map((runner) => runner.engine.call('cell', cell.x, cell.y)));
+    return infos.flatMap((info, i) => ('error' in info || !info.expansion ? [] : [this.clockOf(i, info.expansion, state)]));
+  }
+
   /** A map of a recipe, made beside the searches. */
   async make(recipe: Recipe): Promise<{ info: MapInfo; cells: Uint8Array } | Failure> {
     const maker = new Runner(this.program, () => undefined).engine;

@@ -2,6 +2,7 @@
 
 import { html, LitElement, nothing } from 'lit';
 import type { Program } from '../engine/engine';
+import { Extras } from '../engine/extras';
 import { Searches } from '../engine/searches';
 import type { Failure, Layer, Registry } from '../engine/types';
 import type { ScenarioQuery } from '../formats/moving_ai';
@@ -45,6 +46,7 @@ export class App extends LitElement implements Actions {
   private step: number | null = null;
   private unfitted = true;
   private queries: ScenarioQuery[] = [];
+  private extras!: Extras;
   private lesson!: Lesson;
   private drawn = 0;
 
@@ -53,6 +55,8 @@ export class App extends LitElement implements Actions {
     this.registry = registry;
     this.searches = new Searches(program, this.clock, (all) => this.answered(all));
     this.lesson = new Lesson(this.store, this.clock, () => this.searches, registry, (message) => this.say(message));
+    this.extras = new Extras(this.searches, this.clock, () => this.requestUpdate());
+    this.extras.clock.listen(() => this.refreshViews());
     this.store.listen((state, before, stroke) => this.changed(state, before, stroke));
     this.clock.listen(() => this.refreshViews());
     this.scheme.addEventListener('change', () => this.requestUpdate());
@@ -62,6 +66,7 @@ export class App extends LitElement implements Actions {
     if (link === '' || !await this.open(link)) await this.make(firstRecipe, false);
     const frame = (now: number) => {
       this.clock.tick(now);
+      this.extras.clock.tick(now);
       requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
@@ -83,7 +88,7 @@ export class App extends LitElement implements Actions {
           ${state.runs.map((run, i) => this.view(run, i))}
         </section>
         <aside aria-label="Settings">
-          <lab-side .store=${this.store} .registry=${this.registry} .searches=${this.searches} .lesson=${this.lesson}
+          <lab-side .store=${this.store} .registry=${this.registry} .searches=${this.searches} .lesson=${this.lesson} .extras=${this.extras}
             .actions=${this} .queries=${this.queries} .pointed=${this.pointed} version=${++this.drawn}></lab-side>
         </aside>
       </main>
@@ -105,7 +110,7 @@ export class App extends LitElement implements Actions {
       ${many ? html`<figcaption>${run.planner}</figcaption>` : nothing}
       ${reason ? html`<p class="reason">${reason}.</p>` : nothing}
       <lab-map .store=${this.store} .clock=${this.clock} .runner=${this.searches.runners[i]!} .camera=${this.camera}
-        .headings=${this.turns(run.planner)}
+        .headings=${this.turns(run.planner)} .extras=${i === 0 ? this.extras : null}
         .colours=${colours} .stepOf=${() => this.searches.stepOf(i, this.store.state)}
         label="Map with the search of ${run.planner}. Arrow keys move the cursor, space paints, S and G set start and goal."
         @camera=${() => this.refreshViews()} @resized=${() => this.fit()}
@@ -179,12 +184,15 @@ export class App extends LitElement implements Actions {
 
   private changed(state: State, before: State, stroke?: Stroke): void {
     this.searches.update(state, before, stroke, this.dragging);
+    if (!this.searches.busy) void this.extras.ask(state, before);
     this.requestUpdate();
   }
 
   private answered(all: boolean): void {
     if (all) {
       this.lesson.answered();
+      if (this.dragging) this.extras.clear();
+      else void this.extras.ask(this.store.state, null);
       const { longest } = this.searches;
       if (!this.dragging || longest > 0) this.clock.restart(longest, this.play && this.step === null);
       if (this.step !== null) this.clock.seek(this.step);

@@ -1,6 +1,7 @@
 // <lab-side>: all panels beside the maps. What they ask for goes to the page, by its Actions.
 
 import { css, html, LitElement, nothing } from 'lit';
+import type { Extras } from '../engine/extras';
 import type { Searches } from '../engine/searches';
 import type { Layer, Registry } from '../engine/types';
 import type { Lesson } from '../exercises/lesson';
@@ -14,6 +15,7 @@ import './charts_panel';
 import './exercise_panel';
 import './facts';
 import './file_panel';
+import './follow_panel';
 import type { Saved } from './file_panel';
 import './layers_panel';
 import './map_panel';
@@ -45,7 +47,7 @@ export class Side extends LitElement {
     a { font-size: 0.8125rem; color: var(--accent); }
   `];
   static override properties = {
-    store: { attribute: false }, registry: { attribute: false }, searches: { attribute: false }, lesson: { attribute: false },
+    store: { attribute: false }, registry: { attribute: false }, searches: { attribute: false }, lesson: { attribute: false }, extras: { attribute: false },
     actions: { attribute: false }, queries: { attribute: false }, pointed: { attribute: false }, version: { type: String },
   };
 
@@ -53,6 +55,7 @@ export class Side extends LitElement {
   declare registry: Registry;
   declare searches: Searches;
   declare lesson: Lesson;
+  declare extras: Extras;
   declare actions: Actions;
   declare queries: ScenarioQuery[];
   declare pointed: Pointed | null;
@@ -80,8 +83,10 @@ export class Side extends LitElement {
         <lab-charts .searches=${this.searches} .state=${state} version=${this.version}
           @asked=${(event: CustomEvent<number>) => this.actions.say(`${event.detail} random queries are answered.`)}></lab-charts></section>
       <section><h2>Robot and path</h2>
-        <lab-robot .store=${this.store} .registry=${this.registry} .state=${state}
+        <lab-robot .store=${this.store} .registry=${this.registry} .state=${state} .widest=${this.extras.widest}
           @shape=${(event: CustomEvent<string>) => this.actions.shape(event.detail)}></lab-robot></section>
+      <section><h2>Following</h2>
+        <lab-follow .store=${this.store} .registry=${this.registry} .state=${state} .extras=${this.extras} version=${this.version}></lab-follow></section>
       <section><h2>Map</h2>
         <lab-map-panel .registry=${this.registry} .recipe=${map.recipe ?? firstRecipe}
           name="${map.name}, ${map.width} × ${map.height} cells"

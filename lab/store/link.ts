@@ -4,7 +4,9 @@
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { plainFrame, type Frame, type Layer, type Registry } from '../engine/types';
 import { isQueryLink, readQueryLink } from './query_link';
-import { exercises, type Choice, type Exercise, type MapDocument, type Pace, type Place, type Recipe, type State } from './state';
+import {
+  exercises, notFollowing, type Choice, type Exercise, type Following, type MapDocument, type Pace, type Place, type Recipe, type State,
+} from './state';
 
 /** Addresses longer than this are cut by some programs that people send them with. */
 export const longestLink = 32_000;
@@ -35,6 +37,9 @@ export interface Linked {
   arrows: boolean;
   pace: Pace;
   exercise: Exercise;
+  following: Following;
+  widest: boolean;
+  breakPoint: State['breakPoint'];
   step: number | null;
 }
 
@@ -44,11 +49,11 @@ export const layers: readonly Layer[] = ['', 'expansion', 'g', 'h', 'f', 'cost',
 export function linkOf(state: State, step: number): string | null {
   const map = state.map;
   if (!map) return null;
-  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise } = state;
+  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint } = state;
   const bytes = bytesOf(map);
   const head = strToU8(JSON.stringify({
     v: 1, name: map.name, width: map.width, height: map.height, frame: map.frame, recipe: map.recipe,
-    start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise, step,
+    start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint, step,
   }));
   const all = new Uint8Array(4 + head.length + bytes.length);
   new DataView(all.buffer).setUint32(0, head.length);
@@ -98,6 +103,8 @@ function read(text: string, registry: Registry): Linked {
     footprint: textIn(fields['footprint']), smoother: textIn(fields['smoother']),
     headings: fields['headings'] === true, layer: oneOf(layers, fields['layer']),
     arrows: fields['arrows'] === true, pace: oneOf(['expansions', 'time'] as const, fields['pace']),
+    following: followingIn(fields['following']), widest: fields['widest'] === true,
+    breakPoint: fields['breakPoint'] === undefined || fields['breakPoint'] === null ? null : cellIn(fields['breakPoint']),
     exercise: oneOf(exercises, fields['exercise'] ?? ''),
     step: wholeIn(fields['step'], 0, 2 ** 32 - 1, 'step'),
   };
@@ -154,6 +161,16 @@ function oneOf<Value>(values: readonly Value[], value: unknown): Value {
 function placeIn(value: unknown): Place {
   const { x, y, heading } = objectIn(value);
   return { x: numberIn(x), y: numberIn(y), heading: numberIn(heading) };
+}
+function cellIn(value: unknown): { x: number; y: number } {
+  const { x, y } = objectIn(value);
+  return { x: wholeIn(x, 0, mostSide, 'break-point'), y: wholeIn(y, 0, mostSide, 'break-point') };
+}
+/** Links from before there was following have none. */
+function followingIn(value: unknown): Following {
+  if (value === undefined) return notFollowing;
+  const { controller, robot, simulation } = objectIn(value);
+  return { controller: textIn(controller), robot: textIn(robot), simulation: textIn(simulation) };
 }
 function frameIn(value: unknown): Frame {
   const fields = objectIn(value);

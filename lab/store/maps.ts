@@ -23,8 +23,8 @@ export async function fromRecipe(recipe: Recipe, registry: Registry, make: Maker
 
 /** The state of a link, but its step. */
 export async function fromLink(linked: Linked, registry: Registry, make: Maker): Promise<Partial<State> | Failure> {
-  const { runs, footprint, smoother, headings, layer, arrows, pace, exercise } = linked;
-  const rest = { runs, footprint, smoother, headings, layer, arrows, pace, exercise };
+  const { runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint } = linked;
+  const rest = { runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint };
   const { recipe, cells, name, width, height, frame } = linked;
   const ends = { ...(linked.start ? { start: linked.start } : {}), ...(linked.goal ? { goal: linked.goal } : {}) };
   if (!recipe) return { ...rest, ...ends, map: documentOf(name, { ...frame, width, height }, cells!) };

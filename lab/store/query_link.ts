@@ -3,7 +3,7 @@
 
 import { plainFrame, type Layer, type Registry } from '../engine/types';
 import { layers, mostSide, type Linked, type Wall } from './link';
-import { centreOf, exercises, type Choice, type Exercise, type Place, type Recipe } from './state';
+import { centreOf, exercises, notFollowing, type Choice, type Exercise, type Place, type Recipe } from './state';
 
 /** The names that such a link may have. */
 export const queryNames = [
@@ -38,7 +38,7 @@ export function readQueryLink(text: string, registry: Registry): Linked {
     footprint: fields.get('robot') ?? 'point', smoother: '', headings: false, arrows: false,
     layer: oneOf<Layer>('layer', layers, fields.get('layer') ?? ''),
     pace: oneOf('pace', ['expansions', 'time'] as const, fields.get('pace') ?? 'expansions'),
-    exercise,
+    exercise, following: notFollowing, widest: false, breakPoint: null,
     step: fields.has('step') ? wholeIn('step', fields.get('step')!, 0, 2 ** 32 - 1) : exercise === 'next' ? 1 : null,
   };
 }

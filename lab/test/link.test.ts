@@ -4,7 +4,7 @@ import { deflateSync, strToU8 } from 'fflate';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { plainFrame, type Registry } from '../engine/types';
 import { linkOf, longestLink, readLink, type Linked } from '../store/link';
-import { initialState, type MapDocument, type State } from '../store/state';
+import { initialState, notFollowing, type MapDocument, type State } from '../store/state';
 import { newEngine, randomFrom } from './engine';
 
 let registry: Registry;
@@ -34,6 +34,8 @@ function stateOf(seed: number): State {
   return {
     ...initialState, map, runs, start: place(), goal: place(), headings: random() < 0.5, arrows: random() < 0.5,
     layer: pick(['', 'g', 'cost'] as const), pace: pick(['expansions', 'time'] as const), exercise: pick(['', 'next'] as const),
+    following: pick([notFollowing, { controller: 'pid:heading_gain=2', robot: 'robot:speed=1', simulation: 'simulation' }]),
+    widest: random() < 0.5, breakPoint: pick([null, { x: 3, y: 4 }]),
     footprint: pick(['point', 'disc:0.3']), smoother: pick(['', 'gradient:beta=0.4']),
   };
 }
@@ -53,6 +55,7 @@ describe('links', () => {
         name: state.map!.name, frame: state.map!.frame, start: state.start, goal: state.goal, runs: state.runs,
         footprint: state.footprint, smoother: state.smoother, headings: state.headings, layer: state.layer,
         arrows: state.arrows, pace: state.pace, exercise: state.exercise, step: seed,
+        following: state.following, widest: state.widest, breakPoint: state.breakPoint,
       });
       expect(cellsOf(linked, state.map!.original), `seed ${seed}`).toEqual(state.map!.cells);
     }

@@ -302,6 +302,42 @@ describe('the page', () => {
     await page.getByRole('img', { name: /^Time of/ }).waitFor();
   });
 
+  test('stops where the break-point is expanded', async () => {
+    await page.getByRole('radio', { name: 'Break-point' }).click();
+    const cell = await pixelOf(25, 30);
+    await page.mouse.click(cell.x, cell.y);
+    await page.mouse.move(cell.x + 1, cell.y);
+    const expansion = Number(/expanded as number (\d+)/.exec((await page.getByText(/^expanded as number/).textContent())!)![1]);
+    await page.getByRole('combobox', { name: 'Speed' }).selectOption('all in 3 s');
+    await page.getByRole('button', { name: 'Play' }).click();
+    await page.getByRole('button', { name: 'Play' }).waitFor();
+    expect(await slider().inputValue()).toBe(String(expansion));
+    await page.mouse.click(cell.x, cell.y);
+    await page.getByRole('button', { name: 'Play' }).click();
+    await expect.poll(() => slider().inputValue(), { timeout: 8000 }).toBe('540');
+  });
+
+  test('drives a robot along the path, with gains on sliders', async () => {
+    await page.getByLabel('Controller').selectOption('pure_pursuit');
+    const told = page.getByText(/^The robot reached the goal after/);
+    await told.waitFor();
+    const before = await told.textContent();
+    await page.getByRole('img', { name: /^Distance of the robot from the path/ }).waitFor();
+    await page.getByRole('slider', { name: /^Lookahead:/ }).fill('0.8');
+    await expect.poll(() => told.textContent()).not.toBe(before);
+    await page.getByRole('button', { name: 'Drive' }).click();
+    await expect.poll(() => page.getByRole('slider', { name: 'Moment of the drive' }).inputValue()).not.toBe('0');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect.poll(() => told.textContent()).toBe(before);
+    await page.getByLabel('Controller').selectOption('');
+    await told.waitFor({ state: 'detached' });
+  });
+
+  test('shows the widest path', async () => {
+    await page.getByLabel('Show the widest path').check();
+    await page.getByText(/^A disc of radius 0.5 cells gets through, a larger one does not/).waitFor();
+  });
+
   test('asks what is expanded next, and keeps score', async () => {
     await page.getByRole('button', { name: 'What is expanded next?' }).click();
     await page.getByText('0 of 0 right').waitFor();

@@ -28,6 +28,12 @@ const arrows: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1],
 };
 
+/** Sets the break-point on a cell, or takes it away. */
+export function toggleBreakPoint(store: Store, { x, y }: Point): void {
+  const { breakPoint } = store.state;
+  store.set({ breakPoint: breakPoint?.x === x && breakPoint.y === y ? null : { x, y } });
+}
+
 export class Hand {
   private readonly touches = new Map<number, Point>();
   private brush: Brush | null = null;
@@ -55,6 +61,7 @@ export class Hand {
     } else {
       const cell = this.cellAt(pixel);
       if (!cell) return;
+      if (store.state.tool === 'break') return toggleBreakPoint(store, cell);
       this.ground.drag(true);
       this.brush = this.brushAt(cell);
     }
@@ -106,6 +113,8 @@ export class Hand {
       cell.y = Math.min(Math.max(cell.y + step * dy, 0), map.height - 1);
       camera.reveal(map, { x: cell.x + 0.5, y: cell.y + 0.5 }, size.width, size.height);
       this.ground.moved();
+    } else if (event.key === 'b') {
+      toggleBreakPoint(store, cell);
     } else if (event.key === ' ' || event.key === 'Enter') {
       if (store.state.exercise === 'next') this.ground.answer({ ...cell });
       else this.brushAt(cell)?.end();
@@ -135,7 +144,7 @@ export class Hand {
 
   private brushAt(cell: Point): Brush | null {
     const { map, tool, cost, brush } = this.ground.store.state;
-    if (!map || tool === 'look') return null;
+    if (!map || tool === 'look' || tool === 'break') return null;
     // A wall that is touched goes away: one tool is enough to play.
     const wallAlready = tool === 'wall' && map.cells[cell.y * map.width + cell.x] === obstacle;
     return new Brush(this.ground.store, wallAlready ? 1 : byteOf(tool, cost), brush, cell);

@@ -2,6 +2,7 @@
 
 import { css, html, LitElement } from 'lit';
 import type { Engine } from '../engine/engine';
+import type { Extras } from '../engine/extras';
 import type { Runner } from '../engine/runner';
 import type { CellInfo, Window } from '../engine/types';
 import type { Clock } from '../store/clock';
@@ -37,6 +38,8 @@ export class MapView extends LitElement implements Ground {
   colours!: Colours;
   /** Does its planner know headings? */
   headings = false;
+  /** Of the first search; null for others. */
+  extras: Extras | null = null;
   /** The replay's step for this search, from the clock. */
   stepOf: () => number = () => this.clock.step;
 
@@ -197,7 +200,7 @@ export class MapView extends LitElement implements Ground {
     drawOverlay(context, {
       state, map, camera, colours: this.colours, path: over ? outcome.path : null,
       chain: this.info?.chain ?? null, parents: state.arrows ? this.parents : null,
-      cursor: this.cursor, keyboard: this.keyboard, headings: this.headings,
+      cursor: this.cursor, keyboard: this.keyboard, headings: this.headings, extras: this.extras,
     });
   }
 
