@@ -166,8 +166,7 @@ export class App extends LitElement implements Actions {
   }
 
   async save(what: Saved): Promise<void> {
-    const path = this.searches.runners[0]?.outcome?.path ?? null;
-    this.say(await save(what, this.store.state, path, this.views()[0]));
+    this.say(await save(what, this.store.state, this.views()[0]));
   }
 
   /** A new map, unless there is none, for a reason. */

@@ -279,7 +279,7 @@ describe('the page', () => {
   });
 
   for (const [button, ending, begin] of [
-    ['Save map', '.txt', '#'], ['Path CSV', '.csv', 'x,y,heading'], ['PNG', '.png', '\x89PNG'], ['SVG', '.svg', '<svg'],
+    ['Save map', '.txt', '#'], ['Path CSV', '.csv', 'x,y,heading'], ['PNG', '.png', '\x89PNG'], ['SVG', '.svg', '<svg'], ['GIF', '.gif', 'GIF89a'], ['Posthoc trace', '.trace.json', '{"version":"1.4.0"'],
   ] as const) {
     test(`saves by ${button}`, async () => {
       const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: button, exact: true }).click()]);

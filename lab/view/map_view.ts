@@ -178,27 +178,49 @@ export class MapView extends LitElement implements Ground {
       void this.runner.engine.call('setPalette', paletteOf(this.colours));
     }
     this.askAgain();
-    const camera = this.camera.copy();
     const ratio = Math.min(devicePixelRatio, 2);
+    const [cells, lines] = canvases;
+    const began = performance.now();
+    const camera = this.camera.copy();
+    const pixels = await this.pixelsAt(camera, this.stepOf(), ratio);
+    this.dataset['paint'] = (performance.now() - began).toFixed(1);
+    await this.fetchParents(state);
+    size(cells, pixels);
+    cells.getContext('2d', { alpha: false })!.putImageData(pixels, 0, 0);
+    size(lines, pixels);
+    const context = lines.getContext('2d')!;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    this.drawLines(context, camera, this.stepOf());
+  }
+
+  /** What the view shows at a step, at one pixel a point of the screen; null if there is nothing. */
+  async frame(step: number): Promise<ImageData | null> {
+    const { width, height } = this.size;
+    if (!this.store.state.map || width === 0 || height === 0) return null;
+    const canvas = new OffscreenCanvas(width, height);
+    const context = canvas.getContext('2d', { willReadFrequently: true })!;
+    const camera = this.camera.copy();
+    context.putImageData(await this.pixelsAt(camera, step, 1), 0, 0);
+    this.drawLines(context as unknown as CanvasRenderingContext2D, camera, step);
+    return context.getImageData(0, 0, width, height);
+  }
+
+  private async pixelsAt(camera: Camera, step: number, ratio: number): Promise<ImageData> {
+    const { width, height } = this.size;
     const window: Window = {
       width: Math.round(width * ratio), height: Math.round(height * ratio),
       left: camera.left, top: camera.top, cells: 1 / (camera.zoom * ratio),
     };
-    const began = performance.now();
-    const pixels = await this.runner.engine.call('paint', window, this.stepOf());
-    this.dataset['paint'] = (performance.now() - began).toFixed(1);
-    await this.fetchParents(state);
-    const [cells, lines] = canvases;
-    size(cells, window);
-    cells.getContext('2d', { alpha: false })!.putImageData(new ImageData(pixels, window.width, window.height), 0, 0);
-    size(lines, window);
-    const context = lines.getContext('2d')!;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
-    const outcome = this.runner.outcome;
-    const over = outcome && this.stepOf() >= outcome.steps;
+    return new ImageData(await this.runner.engine.call('paint', window, step), window.width, window.height);
+  }
+
+  private drawLines(context: CanvasRenderingContext2D, camera: Camera, step: number): void {
+    const { state } = this.store;
+    const { outcome } = this.runner;
+    const over = outcome && step >= outcome.steps;
     drawOverlay(context, {
-      state, map, camera, colours: this.colours, path: over ? outcome.path : null,
+      state, map: state.map!, camera, size: this.size, colours: this.colours, path: over ? outcome.path : null,
       chain: this.info?.chain ?? null, parents: state.arrows ? this.parents : null,
       cursor: this.cursor, keyboard: this.keyboard, headings: this.headings, extras: this.extras,
     });
@@ -231,7 +253,7 @@ export class MapView extends LitElement implements Ground {
   }
 }
 
-function size(canvas: HTMLCanvasElement, { width, height }: Window): void {
+function size(canvas: HTMLCanvasElement, { width, height }: ImageData): void {
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
 }

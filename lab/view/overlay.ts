@@ -11,6 +11,7 @@ export interface Overlay {
   state: State;
   map: MapDocument;
   camera: Camera;
+  size: { width: number; height: number };
   colours: Colours;
   path: Float64Array | null;
   chain: Float64Array | null;
@@ -98,10 +99,9 @@ function drawCursor(context: CanvasRenderingContext2D, { camera, map, colours, k
   context.strokeRect(corner.x, corner.y, Math.max(camera.zoom, 4), Math.max(camera.zoom, 4));
 }
 
-function drawArrows(context: CanvasRenderingContext2D, { camera, map, colours }: Overlay, parents: Uint32Array): void {
+function drawArrows(context: CanvasRenderingContext2D, { camera, map, colours, size: { width, height } }: Overlay, parents: Uint32Array): void {
   const least = 7;  // pixels: smaller arrows cannot be read
   if (camera.zoom < least) return;
-  const { width, height } = context.canvas.getBoundingClientRect();
   context.strokeStyle = colours.ink;
   context.lineWidth = 1;
   context.beginPath();
