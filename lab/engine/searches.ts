@@ -44,6 +44,11 @@ export class Searches {
     for (const runner of this.runners) runner.stop();
   }
 
+  /** Ends all workers. */
+  end(): void {
+    this.resize(0);
+  }
+
   get busy(): boolean {
     return this.runners.some((runner) => runner.busy);
   }

@@ -1,4 +1,4 @@
-// <wend-lab>: the page: wires the store, the clock, the searches, the views and the panels.
+// <wend-lab-page>: the page: wires the store, the clock, the searches, the views and the panels.
 
 import { html, LitElement, nothing } from 'lit';
 import type { Program } from '../engine/engine';
@@ -24,12 +24,13 @@ import { share } from './share';
 import './side';
 import type { Actions } from './side';
 import { panelStyle } from './style';
+import { theme } from './theme';
 import './tools_panel';
 import './transport';
 import { outcomeInWords } from './words';
 
 export class App extends LitElement implements Actions {
-  static override styles = [panelStyle, appStyle];
+  static override styles = [panelStyle, theme, appStyle];
 
   private readonly store = new Store();
   private readonly clock = new Clock();
@@ -258,4 +259,4 @@ export class App extends LitElement implements Actions {
   }
 }
 
-customElements.define('wend-lab', App);
+customElements.define('wend-lab-page', App);

@@ -24,6 +24,7 @@ export class MapView extends LitElement implements Ground {
     :host { position: relative; display: block; overflow: hidden; min-width: 0; min-height: 0; }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; image-rendering: pixelated; }
     canvas + canvas { touch-action: none; cursor: crosshair; outline-offset: -3px; }
+    .embedded { touch-action: pan-y !important; }
     canvas + canvas:focus-visible { outline: 3px solid var(--accent); }
   `;
   static override properties = {
@@ -38,6 +39,8 @@ export class MapView extends LitElement implements Ground {
   colours!: Colours;
   /** Does its planner know headings? */
   headings = false;
+  /** On a page of other things: the wheel scrolls that page, and zooms with Ctrl only. */
+  embedded = false;
   /** Of the first search; null for others. */
   extras: Extras | null = null;
   /** The replay's step for this search, from the clock. */
@@ -69,10 +72,10 @@ export class MapView extends LitElement implements Ground {
   override render() {
     return html`
       <canvas aria-hidden="true"></canvas>
-      <canvas tabindex="0" role="application" aria-label=${this.label} aria-roledescription="map"
+      <canvas class=${this.embedded ? 'embedded' : ''} tabindex="0" role="application" aria-label=${this.label} aria-roledescription="map"
         @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up}
         @pointerleave=${() => this.point(null, false)} @keydown=${this.key}
-        @wheel=${(event: WheelEvent) => this.hand.wheel(event, this.pixelOf(event))}
+        @wheel=${this.wheel}
         @contextmenu=${(event: Event) => event.preventDefault()}></canvas>`;
   }
 
@@ -247,6 +250,9 @@ export class MapView extends LitElement implements Ground {
   }
   private up(event: PointerEvent): void {
     this.hand.up(event);
+  }
+  private wheel(event: WheelEvent): void {
+    if (!this.embedded || event.ctrlKey) this.hand.wheel(event, this.pixelOf(event));
   }
   private key(event: KeyboardEvent): void {
     if (this.hand.key(event)) event.preventDefault();
