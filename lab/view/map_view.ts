@@ -54,6 +54,8 @@ export class MapView extends LitElement implements Ground {
   private cursor: Point | null = null;
   private keyboard = false;
   private info: CellInfo | null = null;
+  /** Which answer of the runner is drawn. */
+  shown = -1;
   private infoVersion = -1;
   private infoCells: Uint8Array | undefined;
   private parents: Uint32Array | null = null;
@@ -184,6 +186,7 @@ export class MapView extends LitElement implements Ground {
     const ratio = Math.min(devicePixelRatio, 2);
     const [cells, lines] = canvases;
     const began = performance.now();
+    const { version } = this.runner;
     const camera = this.camera.copy();
     const pixels = await this.pixelsAt(camera, this.stepOf(), ratio);
     this.dataset['paint'] = (performance.now() - began).toFixed(1);
@@ -195,6 +198,7 @@ export class MapView extends LitElement implements Ground {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
     this.drawLines(context, camera, this.stepOf());
+    this.shown = version;
   }
 
   /** What the view shows at a step, at one pixel a point of the screen; null if there is nothing. */
