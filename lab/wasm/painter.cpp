@@ -47,7 +47,8 @@ class Painter {
       std::ranges::fill(pixels, palette_.page);
       return;
     }
-    const bool line = row_of(y - 1) != at && has_lines();
+    const bool line = begins_cell(y);
+    if (!has_lines() && is_plain()) return plain_row(at, pixels);
     std::uint32_t last = palette_.page;
     for (std::size_t x = 0; x < pixels.size(); ++x) {
       const int column = across_[x];
@@ -58,8 +59,50 @@ class Painter {
     }
   }
 
+  /// Does a row of pixels look like the one above it?
+  bool repeats(int y) const {
+    return y > 0 && row_of(y) == row_of(y - 1) && begins_cell(y) == begins_cell(y - 1);
+  }
+
  private:
   static constexpr unsigned kLine = 56;
+
+  bool begins_cell(int y) const { return has_lines() && row_of(y) != row_of(y - 1); }
+
+  /// What the search did, on cells where the robot fits wherever it is free: most pictures, which are to be fast.
+  bool is_plain() const {
+    return level_ < 0 && picture_.values.of_cells.empty() && picture_.fits.empty() &&
+           picture_.replay.width() != 0;
+  }
+
+  void plain_row(int row, std::span<std::uint32_t> pixels) const {
+    const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+    const std::uint8_t* const cells = picture_.cells.data() + first;
+    const std::uint32_t* const expansion = picture_.replay.expansion().data() + first;
+    const std::uint32_t* const generation = picture_.replay.generation().data() + first;
+    const Palette palette = palette_;
+    const std::uint32_t step = picture_.step;
+    for (std::size_t x = 0; x < pixels.size(); ++x) {
+      const int column = across_[x];
+      if (column < 0) {
+        pixels[x] = palette.page;
+        continue;
+      }
+      const std::uint8_t cell = cells[column];
+      // 0 is never: as an unsigned number minus 1 it is the largest.
+      const bool expanded = expansion[column] - 1 < step;
+      const bool reached = expanded || generation[column] - 1 < step;
+      std::uint32_t colour = palette.obstacle;
+      if (cell != kObstacle) {
+        const std::uint32_t role = expanded ? palette.expanded : palette.frontier;
+        colour = !reached                           ? ground_colour(cell, palette)
+                 : cell > 1 && cell != kUnknownCell ? mixed(ground_colour(cell, palette), role, 150)
+                                                    : role;
+        if (first + static_cast<std::size_t>(column) == current_) colour = palette.current;
+      }
+      pixels[x] = colour;
+    }
+  }
 
   int level_for(double cells) const {
     int level = -1;
@@ -154,7 +197,13 @@ void paint(const Picture& picture, const View& view, const Palette& palette,
   const Painter painter(picture, view, palette);
   const auto width = static_cast<std::size_t>(view.width);
   for (int y = 0; y < view.height; ++y) {
-    painter.row(y, pixels.subspan(static_cast<std::size_t>(y) * width, width));
+    const std::size_t begin = static_cast<std::size_t>(y) * width;
+    if (painter.repeats(y)) {
+      std::ranges::copy(pixels.subspan(begin - width, width),
+                        pixels.begin() + static_cast<std::ptrdiff_t>(begin));
+    } else {
+      painter.row(y, pixels.subspan(begin, width));
+    }
   }
 }
 
