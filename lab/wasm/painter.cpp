@@ -65,21 +65,28 @@ class Painter {
   }
 
  private:
-  static constexpr unsigned kLine = 56;
+  static constexpr unsigned kLine = 56;          // share of 256
+  static constexpr unsigned kRoleOnRough = 150;  // the same
 
   bool begins_cell(int y) const { return has_lines() && row_of(y) != row_of(y - 1); }
 
   /// What the search did, on cells where the robot fits wherever it is free: most pictures, which are to be fast.
   bool is_plain() const {
-    return level_ < 0 && picture_.values.of_cells.empty() && picture_.fits.empty() &&
-           picture_.replay.width() != 0;
+    return picture_.values.of_cells.empty() && picture_.replay.width() != 0 &&
+           (level_ >= 0 || picture_.fits.empty());
   }
 
   void plain_row(int row, std::span<std::uint32_t> pixels) const {
     const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-    const std::uint8_t* const cells = picture_.cells.data() + first;
-    const std::uint32_t* const expansion = picture_.replay.expansion().data() + first;
-    const std::uint32_t* const generation = picture_.replay.generation().data() + first;
+    const Level* const level = level_ >= 0 ? &picture_.pyramid.level(level_) : nullptr;
+    const Replay& replay = picture_.replay;
+    const std::uint8_t* const ground =
+        (level ? level->ground.data() : picture_.cells.data()) + first;
+    const std::uint8_t* const walls = level ? level->obstacles.data() + first : nullptr;
+    const std::uint32_t* const expansion =
+        (level ? level->expansion : replay.expansion()).data() + first;
+    const std::uint32_t* const generation =
+        (level ? level->generation : replay.generation()).data() + first;
     const Palette palette = palette_;
     const std::uint32_t step = picture_.step;
     for (std::size_t x = 0; x < pixels.size(); ++x) {
@@ -88,20 +95,33 @@ class Painter {
         pixels[x] = palette.page;
         continue;
       }
-      const std::uint8_t cell = cells[column];
+      const std::uint8_t cell = ground[column];
+      if (walls == nullptr && cell == kObstacle) {
+        pixels[x] = palette.obstacle;
+        continue;
+      }
       // 0 is never: as an unsigned number minus 1 it is the largest.
       const bool expanded = expansion[column] - 1 < step;
       const bool reached = expanded || generation[column] - 1 < step;
-      std::uint32_t colour = palette.obstacle;
-      if (cell != kObstacle) {
-        const std::uint32_t role = expanded ? palette.expanded : palette.frontier;
-        colour = !reached                           ? ground_colour(cell, palette)
-                 : cell > 1 && cell != kUnknownCell ? mixed(ground_colour(cell, palette), role, 150)
-                                                    : role;
-        if (first + static_cast<std::size_t>(column) == current_) colour = palette.current;
+      std::uint32_t colour = expanded ? palette.expanded : palette.frontier;
+      if (!reached) {
+        colour = ground_colour(cell, palette);
+      } else if (cell > 1 && cell != kUnknownCell) {
+        colour = mixed(ground_colour(cell, palette), colour, kRoleOnRough);
+      }
+      if (walls != nullptr) {
+        colour = with_walls(colour, walls[column]);
+      } else if (first + static_cast<std::size_t>(column) == current_) {
+        colour = palette.current;
       }
       pixels[x] = colour;
     }
+  }
+
+  /// The colour of a block with obstacles in it. A thin wall must not fade away: one cell counts like nearly half of
+  /// the block.
+  std::uint32_t with_walls(std::uint32_t colour, unsigned walls) const {
+    return walls == 0 ? colour : mixed(colour, palette_.obstacle, std::min(256U, 110U + walls));
   }
 
   int level_for(double cells) const {
@@ -151,9 +171,7 @@ class Painter {
     const std::uint32_t ground =
         over(ground_colour(cell, palette_), cell, first, known ? level.expansion[index] : 0,
              known ? level.generation[index] : 0);
-    const unsigned walls = level.obstacles[index];
-    // A thin wall must not fade away: one cell counts like nearly half of the block.
-    return walls == 0 ? ground : mixed(ground, palette_.obstacle, std::min(256U, 110U + walls));
+    return with_walls(ground, level.obstacles[index]);
   }
 
   /// The ground with what the search did there, or a value.
@@ -169,7 +187,7 @@ class Painter {
     }
     if (!reached && !expanded) return ground;
     const std::uint32_t role = expanded ? palette_.expanded : palette_.frontier;
-    return cell > 1 && cell != kUnknownCell ? mixed(ground, role, 150) : role;
+    return cell > 1 && cell != kUnknownCell ? mixed(ground, role, kRoleOnRough) : role;
   }
 
   std::size_t ramp_index(float value) const {
