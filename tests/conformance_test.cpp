@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "conformance/suite.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {
@@ -39,7 +40,7 @@ class Conformance : public ::testing::TestWithParam<std::tuple<std::string, std:
   }
 };
 
-TEST_P(Conformance, HoldsOnRandomMaps) { expect_no_violation(kMaps); }
+TEST_P(Conformance, HoldsOnRandomMaps) { expect_no_violation(share_of(kMaps)); }
 
 std::string name_of(const ::testing::TestParamInfo<Conformance::ParamType>& test) {
   return std::get<0>(test.param) + "_" + std::get<1>(test.param);

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,7 +30,9 @@ constexpr std::string_view kVariants =
     "hybrid_astar:headings=16,hybrid_astar:headings=72,"
     "hybrid_astar:motion_length=0.1,hybrid_astar:motion_length=0.4,"
     "hybrid_astar:reverse_factor=1,hybrid_astar:reverse_factor=5,hybrid_astar:gear_change_cost=1,"
-    "hybrid_astar:turn_factor=1,hybrid_astar:allow_reverse=false,hybrid_astar:turning_radius=0.8";
+    "hybrid_astar:turn_factor=1,hybrid_astar:allow_reverse=false,hybrid_astar:turning_radius=0.8,"
+    "hybrid_astar:motion_model=dubins,hybrid_astar:motion_model=differential,"
+    "hybrid_astar:motion_model=differential,turn_cost=1,hybrid_astar:motion_model=omni";
 
 struct Se2Arguments {
   std::vector<std::filesystem::path> files;
@@ -55,18 +58,35 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-/// The mean ratio of costs to those of another run, over the queries that both solved.
-std::string costs_against(const Se2Run& run, const Se2Run& other) {
+constexpr double kNoWay = std::numeric_limits<double>::infinity();
+
+/// Costs of queries; nothing without a path.
+using Costs = std::vector<std::optional<double>>;
+
+/// The mean ratio of costs to others, over the queries that both have.
+std::string costs_against(const Costs& costs, const Costs& others) {
   double sum = 0;
   int count = 0;
-  for (std::size_t i = 0; i < run.costs.size(); ++i) {
-    const std::optional<double> cost = run.costs[i];
-    const std::optional<double> of_other = other.costs[i];
-    if (!cost || !of_other) continue;
-    sum += *cost / *of_other;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const std::optional<double> cost = costs[i];
+    const std::optional<double> other = others[i];
+    if (!cost || !other) continue;
+    sum += *cost / *other;
     ++count;
   }
   return count == 0 ? "" : fmt::format("{:.4f}", sum / count);
+}
+
+/// The lowest cost of each query that any run found.
+Costs lowest_costs(const std::vector<Se2Run>& runs) {
+  Costs lowest = runs.front().costs;
+  for (const Se2Run& run : runs) {
+    for (std::size_t i = 0; i < lowest.size(); ++i) {
+      const std::optional<double> cost = run.costs[i];
+      if (cost && *cost < lowest[i].value_or(kNoWay)) lowest[i] = cost;
+    }
+  }
+  return lowest;
 }
 
 double mean_cost(const Se2Run& run) {
@@ -96,7 +116,7 @@ class MapReport {
   }
 
   void add(const std::string& robot, const std::string& planner, const Se2Run& run,
-           const Se2Run& first) {
+           const Costs& first, const Costs& lowest) {
     starts_.add({robot, planner, ms(run.making_ms), ms(run.first_query_ms),
                  fmt::format("{:.1f}", run.resident_mb)});
     const double total_ms = mean(run.ms) * static_cast<double>(run.ms.size());
@@ -108,7 +128,8 @@ class MapReport {
                   fmt::format("{:.0f}", at(run.expanded, 0.99)),
                   fmt::format("{:.0f}", expanded == 0 ? 0 : total_ms * 1e6 / expanded),
                   share_of_curves(run), fmt::format("{:.3f}", mean_cost(run)),
-                  costs_against(run, first), fmt::format("{:.2f}", run.length / solved),
+                  costs_against(run.costs, first), costs_against(run.costs, lowest),
+                  fmt::format("{:.2f}", run.length / solved),
                   fmt::format("{:.2f}", static_cast<double>(run.gear_changes) / solved),
                   fmt::format("{}", run.faults.size())});
     for (const std::string& why : run.unsolved) complain(robot, planner, "unsolved", why);
@@ -118,7 +139,8 @@ class MapReport {
 
   void add_boost(const std::string& robot, const std::vector<double>& times) {
     queries_.add({robot, "Boost's A* on cells", ms(at(times, 0.5)), ms(at(times, 0.9)),
-                  ms(at(times, 0.99)), ms(at(times, 1)), "", "", "", "", "", "", "", "", "", ""});
+                  ms(at(times, 0.99)), ms(at(times, 1)), "", "", "", "", "", "", "", "", "", "",
+                  ""});
   }
 
   std::size_t faults() const { return faults_; }
@@ -151,6 +173,7 @@ class MapReport {
                           {"by curves"},
                           {"cost, m"},
                           {"to the first"},
+                          {"to the lowest"},
                           {"length, m"},
                           {"gear changes"},
                           {"faults"}}};
@@ -172,15 +195,19 @@ bool measure(const NamedMap& named, const std::vector<PlannerSpec>& planners,
     report.add_making(robot.name, (thread_cpu_seconds() - begun) * 1e3);
     const auto queries = random_pose_queries(*space, arguments.queries, arguments.seed);
     if (queries.empty()) continue;
-    std::optional<Se2Run> first;
+    std::vector<Se2Run> runs;
     for (const PlannerSpec& spec : planners) {
-      const auto run = se2_run(*space, spec, queries, arguments.settings);
+      auto run = se2_run(*space, spec, queries, arguments.settings);
       if (!run) {
         fmt::print(stderr, "{}: {}\n", spec.text, run.error().message);
         return false;
       }
-      if (!first) first = *run;
-      report.add(robot.name, spec.text, *run, *first);
+      runs.push_back(*std::move(run));
+    }
+    // Options change what is paid for, so costs of variants say nothing of each other's.
+    const Costs lowest = arguments.options ? Costs(queries.size()) : lowest_costs(runs);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      report.add(robot.name, planners[i].text, runs[i], runs.front().costs, lowest);
     }
     report.add_boost(robot.name, boost_ms(*space, queries, arguments.settings.rounds));
   }
@@ -215,7 +242,8 @@ int run(const Se2Arguments& arguments) {
 std::vector<std::filesystem::path> default_files() {
   const std::filesystem::path folder = std::filesystem::path(WEND_DATA) / "ros";
   return {folder / "nav2" / "depot.yaml", folder / "nav2" / "100by100_10.yaml",
-          folder / "aws_warehouse" / "map.yaml", folder / "f1tenth" / "berlin.yaml"};
+          folder / "nav2" / "tb3_sandbox.yaml", folder / "aws_warehouse" / "map.yaml",
+          folder / "f1tenth" / "berlin.yaml"};
 }
 
 }  // namespace
@@ -229,8 +257,10 @@ int main(int argc, char** argv) {
       "path "
       "checked. Says 1 if a path has a fault.");
   app.add_option("maps", arguments.files, "map files, instead of those of the data folder");
-  app.add_option("--planner", arguments.planners,
-                 "a list, as lattice,car:weight=1.5; costs are compared with the first one's")
+  app.add_option(
+         "--planner", arguments.planners,
+         "a list, as lattice,car:weight=1.5; costs are compared with the first one's, and with the "
+         "lowest")
       ->capture_default_str();
   app.add_option("--only", arguments.only, "only maps whose name contains this");
   app.add_option("--queries", arguments.queries, "random pairs of poses for each map and robot")

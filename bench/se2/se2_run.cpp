@@ -38,9 +38,25 @@ double least_ms(int rounds, Action&& action) {
   return least;
 }
 
-/// What the checker holds a plan to. A lattice moves the ends to its states, and says how far.
-test::DriveRules rules_for(const Plan& plan, double radius) {
-  test::DriveRules rules{.turning_radius = radius};
+/// The value of an option, if it is set.
+std::string_view value_of(const OptionValues& options, std::string_view name) {
+  const auto found =
+      std::ranges::find(options, name, [](const auto& option) { return option.first; });
+  return found == options.end() ? std::string_view{} : std::string_view(found->second);
+}
+
+/// What the checker holds the robot to by the options of its planner. `radius` is in cells, and holds for cars.
+test::DriveRules rules_of(const OptionValues& options, double radius) {
+  const std::string_view model = value_of(options, "motion_model");
+  const bool turns = model == "differential" || model == "omni";
+  return {.turning_radius = turns ? 0 : radius,
+          .reverses = model != "dubins" && value_of(options, "allow_reverse") != "false",
+          .turns_in_place = turns,
+          .moves_aside = model == "omni"};
+}
+
+/// The same for one plan. A lattice moves the ends to its states, and says how far.
+test::DriveRules rules_for(const Plan& plan, test::DriveRules rules) {
   const auto widened = [&rules](const SnappingError& error) {
     return rules.end_tolerance + std::max(error.distance, error.turn);
   };
@@ -49,11 +65,11 @@ test::DriveRules rules_for(const Plan& plan, double radius) {
   return rules;
 }
 
-void note_path(const FreeSpace& space, const Query& query, const Plan& plan, double radius,
-               std::size_t number, Se2Run& run) {
+void note_path(const FreeSpace& space, const Query& query, const Plan& plan,
+               const test::DriveRules& rules, std::size_t number, Se2Run& run) {
   const double resolution = space.map().frame().resolution;
   const test::DriveReport report =
-      test::checked_drive(space, plan.path, query, rules_for(plan, radius));
+      test::checked_drive(space, plan.path, query, rules_for(plan, rules));
   if (!report.fault.empty())
     run.faults.push_back(fmt::format("query {}: {}", number, report.fault));
   run.length += report.length * resolution;
@@ -115,6 +131,7 @@ Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
   run.making_ms = (thread_cpu_seconds() - begun) * 1e3;
 
   const double radius = settings.turning_radius / space.map().frame().resolution;
+  const test::DriveRules rules = rules_of(spec.options, radius);
   Plan plan;
   for (std::size_t i = 0; i < queries.size(); ++i) {
     Query query = queries[i];
@@ -125,7 +142,7 @@ Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
     run.ms.push_back(least_ms(settings.rounds, ask));
     run.expanded.push_back(static_cast<double>(plan.metrics.expanded));
     if (status == Status::found) {
-      note_path(space, query, plan, radius, i, run);
+      note_path(space, query, plan, rules, i, run);
       continue;
     }
     run.costs.emplace_back();

@@ -18,6 +18,8 @@ void Recording::add(EventKind kind, const SearchEvent& event) {
   parents.insert(parents.end(), {parent.x, parent.y});
   costs.insert(costs.end(), {event.g, event.h, event.f});
   headings.push_back(event.heading.value_or(std::numeric_limits<double>::quiet_NaN()));
+  for (const Pose& pose : event.way) ways.insert(ways.end(), {pose.x, pose.y, pose.heading});
+  ends.push_back(ways.size() / 3);
 }
 
 void bind_trace(nb::module_& module) {
@@ -39,8 +41,16 @@ void bind_trace(nb::module_& module) {
            [](const Recording& events) {
              return owned_array<double, 2>(events.costs, {events.kinds.size(), 3});
            })
-      .def("headings", [](const Recording& events) {
-        return owned_array<double, 1>(events.headings, {events.kinds.size()});
+      .def("headings",
+           [](const Recording& events) {
+             return owned_array<double, 1>(events.headings, {events.kinds.size()});
+           })
+      .def("ways",
+           [](const Recording& events) {
+             return owned_array<double, 2>(events.ways, {events.ways.size() / 3, 3});
+           })
+      .def("ends", [](const Recording& events) {
+        return owned_array<std::uint64_t, 1>(events.ends, {events.ends.size()});
       });
 }
 

@@ -23,6 +23,8 @@ class Recording final : public SearchObserver {
   std::vector<std::int32_t> parents;  // x, y; -1, -1 for the start
   std::vector<double> costs;          // g, h, f
   std::vector<double> headings;       // NaN for planners on cells
+  std::vector<double> ways;           // x, y, heading of the poses of all ways
+  std::vector<std::uint64_t> ends;    // of each event's way among these poses
 
  private:
   void add(EventKind kind, const SearchEvent& event);

@@ -113,3 +113,19 @@ def test_a_limit_ends_with_what_there_is() -> None:
     with pytest.raises(wend.NoPath) as none:
         space.plan((0.5, 1.6, 0), (2.7, 0.3, math.pi), "hybrid_astar", expansions=1, **OPTIONS)
     assert none.value.status == "expansion_limit"
+
+
+def test_traces_the_ways_between_states() -> None:
+    start, goal = (0.5, 1.6, 0.0), (2.3, 0.3, 0.0)
+    trace = street().trace(start, goal, "hybrid_astar", **OPTIONS)
+    events = list(trace.events())
+    assert events[0].way is None and events[0].parent is None
+    for event in events[1:]:
+        if event.parent is None:  # the start, when it is expanded
+            assert event.way is None
+            continue
+        assert event.way is not None and event.way.shape[0] >= 2
+        assert np.floor(event.way[-1, :2]).astype(int).tolist() == list(event.cell)
+        assert np.floor(event.way[0, :2]).astype(int).tolist() == list(event.parent)
+        assert event.way[-1, 2] == event.heading
+    assert any(event.parent is not None for event in events)

@@ -42,6 +42,9 @@ class Event(NamedTuple):
     """The priority."""
     heading: float | None
     """Radians, for planners of poses."""
+    way: npt.NDArray[np.float64] | None = None
+    """For ``hybrid_astar``: the poses (x, y, heading) from the parent to the state, in cells and radians, that segments
+    join. Shape (n, 3); None for other planners and for the start."""
 
 
 class Trace:
@@ -59,11 +62,13 @@ class Trace:
     __slots__ = (
         "_cells",
         "_costs",
+        "_ends",
         "_headings",
         "_kinds",
         "_on_vertices",
         "_parents",
         "_shape",
+        "_ways",
         "failure",
         "map",
         "plan",
@@ -87,6 +92,8 @@ class Trace:
         self._parents = recording.parents()
         self._costs = recording.costs()
         self._headings = recording.headings()
+        self._ways = recording.ways()
+        self._ends = recording.ends()
         self._on_vertices = on_vertices
         # The vertices of a car: one more than cells.
         largest = self._cells.max(axis=0) if len(self._cells) > 0 else np.zeros(2, dtype=np.int32)
@@ -139,11 +146,15 @@ class Trace:
 
     def events(self) -> Iterator[Event]:
         """All events, in order."""
+        first = 0
         for i, kind in enumerate(self._kinds.tolist()):
             x, y = self._cells[i].tolist()
             parent = cast("tuple[int, int]", tuple(self._parents[i].tolist()))
             g, h, f = self._costs[i].tolist()
             heading = float(self._headings[i])
+            last = int(self._ends[i])
+            way = self._ways[first:last] if last - first > 1 else None
+            first = last
             yield Event(
                 _KINDS[kind],
                 (x, y),
@@ -152,6 +163,7 @@ class Trace:
                 h,
                 f,
                 None if math.isnan(heading) else heading,
+                way,
             )
 
     def animate(

@@ -48,6 +48,11 @@ constexpr std::string_view kViewOfCells =
     R"(  {"$": "rect", "$if": "${{ $.type != 'map' }}", "x": "${{ $.x }}", "y": "${{ $.y }}",
    "width": 1, "height": 1, "fill": "${{ color[$.type] }}"}]})";
 
+constexpr std::string_view kViewOfWays =
+    R"(  {"$": "path", "$if": "${{ !!$.way }}", "points": "${{ $.way }}", "line-width": 0.25,
+   "fill": "${{ color[$.type] }}"},
+)";
+
 // In units: the distance of a dot from its corner, and its size, so that four dots fit.
 constexpr double kDotDistance = 0.22;
 constexpr double kDotRadius = 0.14;
@@ -64,8 +69,9 @@ constexpr std::string_view kPivotOfCells =
 constexpr std::string_view kPivotOfCorners =
     R"({"x": "${{ $.x }}", "y": "${{ $.y }}", "scale": 1})";
 
-std::string head(TraceForm form, int unit) {
+std::string head(TraceForm form, int unit, bool ways) {
   std::string views(kViewOfMap);
+  if (ways) views += kViewOfWays;
   views += unit == 0 ? std::string(kViewOfCells)
                      : fmt::format(kViewOfCorners, format_number(kDotDistance * unit),
                                    format_number(kDotRadius * unit));
@@ -80,7 +86,8 @@ std::string head(TraceForm form, int unit) {
 
 }  // namespace
 
-PosthocText::PosthocText(TraceForm form, int unit) : form_(form), text_(head(form, unit)) {}
+PosthocText::PosthocText(TraceForm form, int unit, bool ways)
+    : form_(form), text_(head(form, unit, ways)) {}
 
 void PosthocText::begin_event(std::string_view type, std::string_view id) {
   const bool first = !in_event_;
@@ -127,7 +134,7 @@ std::string PosthocText::finish() {
   return std::move(text_);
 }
 
-PosthocTrace::PosthocTrace(const FreeSpace& space, int unit, TraceForm form,
+PosthocTrace::PosthocTrace(const FreeSpace& space, int unit, bool ways, TraceForm form,
                            std::uint64_t most_events)
     : map_height_(space.height()),
       unit_(unit),
@@ -135,20 +142,20 @@ PosthocTrace::PosthocTrace(const FreeSpace& space, int unit, TraceForm form,
       height_(space.height() + (unit > 0 ? 1 : 0)),
       frame_(space.map().frame()),
       room_(most_events),
-      text_(form, unit) {
+      text_(form, unit, ways) {
   put_map(space);
 }
 
 PosthocTrace::PosthocTrace(const FreeSpace& space, Cell start, std::span<const Cell> goals,
                            TraceForm form, std::uint64_t most_events)
-    : PosthocTrace(space, 0, form, most_events) {
+    : PosthocTrace(space, 0, false, form, most_events) {
   put_end("source", {start});
   for (const Cell goal : goals) put_end("destination", {goal});
 }
 
 PosthocTrace::PosthocTrace(const FreeSpace& space, const Query& query, int unit, TraceForm form,
                            std::uint64_t most_events)
-    : PosthocTrace(space, unit, form, most_events) {
+    : PosthocTrace(space, unit, unit == 0, form, most_events) {
   if (const auto start = place_of(query.start)) put_end("source", *start);
   for (const Goal& goal : query.goals) {
     auto place = place_of({goal.point.x, goal.point.y, goal.heading.value_or(0)});
@@ -290,10 +297,21 @@ void PosthocTrace::put_event(std::string_view type, const SearchEvent& event, No
   text_.put("f", event.f);
   text_.put("g", event.g);
   text_.put("h", event.h);
+  if (event.way.size() > 1) put_way(event.way);
 }
 
 void PosthocTrace::put_parent(const Node& node) {
   text_.put("pId", std::string_view(node.parent ? std::to_string(*node.parent) : "null"));
+}
+
+void PosthocTrace::put_way(std::span<const Pose> way) {
+  std::string points;
+  for (const Pose& pose : way) {
+    const double y = frame_.y_up ? map_height_ - pose.y : pose.y;
+    fmt::format_to(std::back_inserter(points), R"({}{{"x": {:.3f}, "y": {:.3f}}})",
+                   points.empty() ? "[" : ", ", pose.x, y);
+  }
+  text_.put("way", std::string_view(points + "]"));
 }
 
 }  // namespace wend

@@ -20,6 +20,9 @@
 //
 //   wend::PosthocTrace driven(space, query, 1, wend::TraceForm::json, 100'000);
 //
+// The events of a planner of continuous poses, hybrid_astar, have a `way`, too: the points {x, y} that are driven from
+// the parent to the place, drawn as a line.
+//
 // Posthoc draws y down. If a map has y up, its rows are counted from the top, so that the picture
 // looks like the source file. Costs f, g and h are as in Plan::cost.
 //
@@ -49,8 +52,8 @@ enum class TraceForm { yaml, json };
 /// square of a cell, or for a car a dot beside its vertex, on the side that its `heading` faces.
 class PosthocText {
  public:
-  /// `unit` is the lattice resolution of a car in cells; 0: cells.
-  explicit PosthocText(TraceForm form, int unit = 0);
+  /// `unit` is the lattice resolution of a car in cells; 0: cells. `ways`: the events may have a `way`.
+  explicit PosthocText(TraceForm form, int unit = 0, bool ways = false);
 
   /// Begins an event; `id` is JSON. Everything that is put until the next event belongs to it.
   void begin_event(std::string_view type, std::string_view id);
@@ -108,7 +111,8 @@ class PosthocTrace final : public SearchObserver {
     std::optional<std::uint64_t> parent{};  // its id
   };
 
-  PosthocTrace(const FreeSpace& space, int unit, TraceForm form, std::uint64_t most_events);
+  PosthocTrace(const FreeSpace& space, int unit, bool ways, TraceForm form,
+               std::uint64_t most_events);
 
   bool keep_one();
   bool contains(Cell cell) const;
@@ -122,6 +126,7 @@ class PosthocTrace final : public SearchObserver {
   void put_event(std::string_view type, const Place& place, std::uint64_t id);
   void put_event(std::string_view type, const SearchEvent& event, Node& node);
   void put_parent(const Node& node);
+  void put_way(std::span<const Pose> way);
 
   int map_height_;
   int unit_;   // 0: cells

@@ -34,6 +34,14 @@ void Portals::join_rows(int y, const OpenGap& open_gap) {
   const std::uint32_t end_of_below = above;
   const std::uint32_t end_of_above = first_run_[row + 1];
   const auto next = [this] { return static_cast<std::uint32_t>(portals_.size()); };
+  const auto to_next_below = [&] {
+    ++below;
+    if (below < end_of_below) runs_[below].first_above = next();
+  };
+  const auto to_next_above = [&] {
+    ++above;
+    if (above < end_of_above) runs_[above].first_below = next();
+  };
   if (below < end_of_below) runs_[below].first_above = next();
   if (above < end_of_above) runs_[above].first_below = next();
   while (below < end_of_below && above < end_of_above) {
@@ -49,11 +57,11 @@ void Portals::join_rows(int y, const OpenGap& open_gap) {
     }
     const bool leave_below = low.right <= high.right;
     const bool leave_above = high.right <= low.right;
-    if (leave_below && ++below < end_of_below) runs_[below].first_above = next();
-    if (leave_above && ++above < end_of_above) runs_[above].first_below = next();
+    if (leave_below) to_next_below();
+    if (leave_above) to_next_above();
   }
-  while (below < end_of_below && ++below < end_of_below) runs_[below].first_above = next();
-  while (above < end_of_above && ++above < end_of_above) runs_[above].first_below = next();
+  while (below < end_of_below) to_next_below();
+  while (above < end_of_above) to_next_above();
 }
 
 void Portals::add_portal(int y, std::uint32_t below, std::uint32_t above) {

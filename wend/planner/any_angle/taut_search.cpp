@@ -34,9 +34,9 @@ std::uint64_t TautSearch::take_looks() {
 TautGraph::Edges TautSearch::ahead_of(Id id, const Node& node) {
   if (node.edge == kNone) {
     const Ray ray = ray_to(id, start_);
-    return map_ != nullptr ? graph_->known_ahead_of(id, ray) : learned_->ahead_of(id, ray);
+    return learned_ ? learned_->ahead_of(id, ray) : graph_->known_ahead_of(id, ray);
   }
-  if (map_ != nullptr) return graph_->known_ahead(node.edge);
+  if (!learned_) return graph_->known_ahead(node.edge);
   const TautCorner& at = corner(id);
   const TautCorner& from = corner(node.parent);
   return learned_->ahead(node.edge, {std::int64_t{at.x} - from.x, std::int64_t{at.y} - from.y});

@@ -210,16 +210,16 @@ inline Point TautSearch::point(Id id) const {
 inline void TautSearch::push(const Open& open) {
   if (!next_) {
     next_ = open;
-  } else if (open < *next_) {
-    min_heap::push(open_, *std::exchange(next_, open));
-  } else {
-    min_heap::push(open_, open);
+    return;
   }
+  min_heap::push(open_, std::max(open, *next_));
+  next_ = std::min(open, *next_);
 }
 
 inline TautSearch::Open TautSearch::pop() {
   if (!next_) return min_heap::pop(open_);
-  Open least = *std::exchange(next_, std::nullopt);
+  Open least = *next_;
+  next_.reset();
   if (!open_.empty() && open_.front() < least) {
     std::swap(open_.front(), least);
     min_heap::sift_down(open_, 0);

@@ -24,6 +24,7 @@ double DescentTrace::follow(Point from) {
     const Point way = field_.descent(point);
     const Point next{point.x + step_ * way.x, point.y + step_ * way.y};
     if (!check_.free_space().contains(cell_at(next))) break;
+    field_.settle(next);
     const CostField::Value there = field_.at(next);
     if (!there.exact || !(there.cost < cost)) break;
     point = next;

@@ -16,10 +16,10 @@ namespace wend {
 class DescentTrace {
  public:
   /// Points at a distance of `step` cells. Check and field must outlive the trace.
-  DescentTrace(const MotionCheck& check, const CostField& field, double step)
+  DescentTrace(const MotionCheck& check, CostField& field, double step)
       : check_(check), field_(field), step_(step) {}
 
-  /// Follows the descent from a point as far as the field is settled; returns what is left of the cost at the last
+  /// Follows the descent from a point, and settles the field on the way; returns what is left of the cost at the last
   /// point.
   double follow(Point from);
 
@@ -43,7 +43,7 @@ class DescentTrace {
   double heading_with_most_room(const Pose& pose) const;
 
   const MotionCheck& check_;
-  const CostField& field_;
+  CostField& field_;
   double step_;
   std::vector<TracePoint> points_;
 };

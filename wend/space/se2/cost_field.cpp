@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 constexpr double kNoWay = std::numeric_limits<double>::infinity();
+constexpr float kBucketWidth = 0.25F;   // squares
 constexpr float kWorthwhile = 0.9995F;  // a smaller gain is not worth another round
 
 /// The upwind solution for a square of cost `cost` between its cheaper neighbours along both axes.
@@ -25,7 +26,7 @@ CostField::CostField(const CoarseGrid& grid)
     : grid_(grid),
       values_(grid.count(), kUnknown),
       settled_flags_(grid.count(), 0),
-      per_width_(2 / static_cast<float>(grid.size())),
+      per_width_(1 / (kBucketWidth * static_cast<float>(grid.size()))),
       size_(static_cast<float>(grid.size())) {}
 
 void CostField::begin(std::span<const Seed> goals, Point start) {
@@ -37,7 +38,7 @@ void CostField::begin(std::span<const Seed> goals, Point start) {
   for (auto& bucket : buckets_) bucket.clear();
   far_.clear();
   next_far_ = kNever;
-  queued_ = bucket_ = settled_ = 0;
+  queued_ = bucket_ = taken_ = settled_ = 0;
   start_ = start;
   first_key_ = 0;
   float least = kUnknown;
@@ -105,38 +106,56 @@ void CostField::improve(int column, int row, std::size_t square, float value) {
         static_cast<std::uint16_t>(row), value, key(column, row, value)});
 }
 
+std::size_t CostField::bucket_of(float key) const {
+  const float ahead = std::max(0.0F, (key - first_key_) * per_width_);
+  return std::max(static_cast<std::size_t>(std::min(ahead, 1e15F)), bucket_);
+}
+
+void CostField::put(std::size_t bucket, const Waiting& waiting) {
+  buckets_[bucket % kBuckets].push_back(waiting);
+  ++queued_;
+}
+
 /// A square whose bucket is too far ahead for the ring waits aside.
 void CostField::push(const Waiting& waiting) {
-  const float ahead = std::max(0.0F, (waiting.key - first_key_) * per_width_);
-  const auto wanted = static_cast<std::size_t>(std::min(ahead, 1e15F));
-  if (wanted >= bucket_ + kBuckets) {
-    next_far_ = std::min(next_far_, wanted);
-    far_.push_back(waiting);
-    return;
-  }
-  buckets_[std::max(wanted, bucket_) % kBuckets].push_back(waiting);
-  ++queued_;
+  const std::size_t bucket = bucket_of(waiting.key);
+  if (bucket < bucket_ + kBuckets) return put(bucket, waiting);
+  next_far_ = std::min(next_far_, bucket);
+  far_.push_back(waiting);
+}
+
+void CostField::go_to_next_bucket() {
+  buckets_[bucket_ % kBuckets].clear();
+  taken_ = 0;
+  ++bucket_;
+  if (queued_ == 0) bucket_ = std::max(bucket_, next_far_);
+  if (next_far_ < bucket_ + kBuckets) fetch_far();
 }
 
 /// Moves those from aside into the ring whose time has come.
 void CostField::fetch_far() {
-  if (queued_ == 0) bucket_ = std::max(bucket_, next_far_);
   next_far_ = kNever;
-  fetched_.swap(far_);
-  far_.clear();
-  for (const Waiting& waiting : fetched_) push(waiting);
+  std::size_t left = 0;
+  for (const Waiting& waiting : far_) {
+    const std::size_t bucket = bucket_of(waiting.key);
+    if (bucket < bucket_ + kBuckets) {
+      put(bucket, waiting);
+    } else {
+      next_far_ = std::min(next_far_, bucket);
+      far_[left++] = waiting;
+    }
+  }
+  far_.resize(left);
 }
 
 bool CostField::settle_next() {
   while (!exhausted()) {
-    if (queued_ == 0 || next_far_ < bucket_ + kBuckets) fetch_far();
-    auto& bucket = buckets_[bucket_ % kBuckets];
-    if (bucket.empty()) {
-      ++bucket_;
+    const auto& bucket = buckets_[bucket_ % kBuckets];
+    if (taken_ == bucket.size()) {
+      go_to_next_bucket();
       continue;
     }
-    const Waiting next = bucket.back();
-    bucket.pop_back();
+    const Waiting next = bucket[taken_++];
     --queued_;
     if (next.value != values_[next.square]) continue;  // it has got a better value since
     ++settled_;

@@ -5,7 +5,8 @@
 //
 // The values solve the eikonal equation by first-order upwind differences, so that they grow with the Euclidean
 // distance in open space: J. A. Sethian, "A Fast Marching Level Set Method", 1996. They are settled in the order of
-// value + distance to the start, as A* does, in buckets.
+// value + distance to the start, as A* does, in buckets; first in first out within a bucket, for a square that is
+// settled before both its neighbours towards the goal gets a better value later, and so do all behind it.
 
 #include <array>
 #include <cstddef>
@@ -80,10 +81,13 @@ class CostField {
   void seed(const Seed& goal);
   bool in_sight(int column, int row, int to_column, int to_row) const;
   void improve(int column, int row, std::size_t square, float value);
+  std::size_t bucket_of(float key) const;
+  void put(std::size_t bucket, const Waiting& waiting);
   void push(const Waiting& waiting);
   void expand(const Waiting& waiting);
   void update(int column, int row, std::size_t square);
   bool settle_next();
+  void go_to_next_bucket();
   void fetch_far();
   bool exhausted() const { return queued_ == 0 && far_.empty(); }
 
@@ -93,9 +97,9 @@ class CostField {
   std::vector<std::uint32_t> touched_;
   std::array<std::vector<Waiting>, kBuckets> buckets_;
   std::size_t bucket_ = 0;         // the current one, counted from begin()
+  std::size_t taken_ = 0;          // from the front of the current one
   std::size_t queued_ = 0;         // in the buckets
   std::vector<Waiting> far_;       // too far ahead for the buckets
-  std::vector<Waiting> fetched_;   // from there
   std::size_t next_far_ = kNever;  // the first bucket of these
   std::size_t settled_ = 0;
   float first_key_ = 0;
