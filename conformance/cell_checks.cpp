@@ -49,7 +49,8 @@ void hold_to_its_path(Examination& examination, const Plan& plan, const Referenc
   }
   if (info.capabilities.resumes) return;  // it did some of the work before
   const SearchMetrics& metrics = plan.metrics;
-  const bool repeats = info.capabilities.leaps && !reference.uniform();
+  const bool repeats =
+      info.capabilities.anytime || (info.capabilities.leaps && !reference.uniform());
   if ((!repeats && metrics.generated < metrics.expanded) ||
       (!jumps_on(reference.uniform(), info.capabilities) && metrics.expanded < plan.path.size())) {
     examination.violate(

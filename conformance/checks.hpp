@@ -18,6 +18,9 @@ void examine_start_is_goal(Examination& examination, std::uint64_t seed);
 /// Enough paths were found to say anything.
 void conclude_answers(Examination& examination);
 
+// anytime_checks.cpp: what anytime planners tell, against the reference.
+void examine_anytime(Examination& examination, std::uint64_t seed);
+
 // pose_checks.cpp: without knowing the motions.
 void examine_pose_answers(Examination& examination, std::uint64_t seed);
 

@@ -17,6 +17,11 @@ std::string with_headings(const PlannerInfo& info) {
   return info.capabilities.headings ? "" : "for planners with headings";
 }
 
+std::string anytime_on_cells(const PlannerInfo& info) {
+  const bool applies = info.capabilities.anytime && !info.capabilities.headings;
+  return applies ? "" : "for anytime planners on cells";
+}
+
 std::string plans_only_on_flat_maps(const PlannerInfo& info) {
   return info.capabilities.terrain ? "it plans on terrain" : "";
 }
@@ -31,6 +36,8 @@ std::vector<ConformanceCheck> make_checks() {
        examine_pose_answers, conclude_answers},
       {"start_is_goal", "a start that is the goal is a path of one cell", 12, 0, on_cells,
        examine_start_is_goal, nullptr},
+      {"anytime", "every path that is told has a true bound; costs and bounds never rise", 2, 0,
+       anytime_on_cells, examine_anytime, nullptr},
       {"status", "says why a query cannot be answered", 0, 1, always, examine_status, nullptr},
       {"limits", "stops at its limits, with the right status", 0, 1, always, examine_limits,
        nullptr},

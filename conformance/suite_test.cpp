@@ -152,6 +152,34 @@ TEST(Suite, FindsAPlannerThatDeclaresMoreThanItsPlansSay) {
   EXPECT_TRUE(is_found_by("answers", changing([](Plan& plan) { plan.bound = 2; })));
 }
 
+TEST(Suite, FindsABoundThatIsNotTrueOnTheWay) {
+  const Fault fault = {.plan = [](Planner& good, const Query& query, Plan& out, int) {
+    Query told = query;
+    told.on_solution = [&](const Plan& plan) {
+      Plan claimed = plan;
+      claimed.bound = 1;
+      if (query.on_solution) query.on_solution(claimed);
+    };
+    return good.plan(told, out);
+  }};
+  EXPECT_TRUE(is_found_by("anytime", fault, "ara_star"));
+}
+
+TEST(Suite, FindsACostThatRises) {
+  const Fault fault = {.plan = [](Planner& good, const Query& query, Plan& out, int) {
+    Query silent = query;
+    silent.on_solution = {};
+    const Status status = good.plan(silent, out);
+    if (status == Status::found && query.on_solution) {
+      Plan cheaper = out;
+      cheaper.cost -= 1;
+      query.on_solution(cheaper);  // the answer costs more again
+    }
+    return status;
+  }};
+  EXPECT_TRUE(is_found_by("anytime", fault, "ara_star"));
+}
+
 TEST(Suite, FindsMoreStepsThanTheFewest) {
   const PlannerInfo info = faulty_info("bfs", "dfs", Fault{});
   EXPECT_TRUE(is_found_by("answers", info));

@@ -94,6 +94,7 @@ TEST(ColoursPage, ListsTheColoursOfPlots) {
                                  "d_star_lite",
                                  "hybrid_astar",
                                  "any_angle",
+                                 "ara_star",
                                  "others"}) {
     const std::vector<std::string> first{name.substr(0, name.find(','))};
     const std::size_t colour =

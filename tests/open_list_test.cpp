@@ -107,6 +107,7 @@ class OpenListOf : public ::testing::TestWithParam<std::string> {
       const bool jumps = jumps_on(planner.free_space().uniform_terrain(), info().capabilities);
       expect_ties_say_what_decides(list, jumps);
       watcher.take_reached();
+      const double bound = plan.bound;
       outcome = planner.step(plan);
       if (list.entries.empty()) {
         EXPECT_TRUE(outcome) << "there is nothing to expand";
@@ -120,7 +121,9 @@ class OpenListOf : public ::testing::TestWithParam<std::string> {
             << "after " << steps << " expansions";
       }
       EXPECT_EQ(state_of(next.entries.front().state), state_of(list.entries.front().state));
-      if (info().guarantee != Guarantee::none && !outcome) {
+      // The order of an anytime planner is another one for each weight.
+      const bool ordered_anew = info().capabilities.anytime && plan.bound != bound;
+      if (info().guarantee != Guarantee::none && !outcome && !ordered_anew) {
         expect_same_order(states_of(list), states_of(planner.open_list(kAll)),
                           watcher.take_reached(), jumps);
       }

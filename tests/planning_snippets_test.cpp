@@ -142,6 +142,18 @@ TEST(Snippets, OfPlanner) {
   EXPECT_EQ(reported, "");
 }
 
+TEST(Snippets, OfOnSolution) {
+  const auto planner = wend::make_planner("ara_star", open_ground());
+  ASSERT_TRUE(planner);
+  wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  std::vector<double> bounds;
+  query.limits.clock = [] { return 0.0; };
+  query.limits.seconds = 0.05;
+  query.on_solution = [&](const wend::Plan& plan) { bounds.push_back(plan.bound); };
+  EXPECT_TRUE((*planner)->plan(query));
+  EXPECT_FALSE(bounds.empty());
+}
+
 TEST(Snippets, OfAPlannerInSteps) {
   const auto made = wend::make_planner("astar", open_ground());
   wend::Planner& planner = **made;

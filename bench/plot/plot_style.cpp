@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kColours = kLightPlot.names.size();
 
 /// Planners are never compared with controllers.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kOwn{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 25> kOwn{{
     {"astar", 0},
     {"dijkstra", 1},
     {"jps", 2},
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kOwn{{
     {"d_star_lite", 16},
     {"hybrid_astar", 17},
     {"any_angle", 18},
+    {"ara_star", 19},
     {"p", 0},
     {"p_moving", 1},
     {"pid", 2},

@@ -10,6 +10,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/plan_queries.hpp"
 #include "cli/commands/plan_run.hpp"
+#include "cli/output/gnuplot.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/session/session.hpp"
@@ -28,6 +29,7 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
   wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
   wend plan office.yaml --planner lattice --start 1,1,E --goal 15,9,N
+  wend plan arena.map --planner ara_star --limit-time 0.05 --start 1,11 --goal 40,30
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth --trajectory drive.csv
   wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv
@@ -70,6 +72,23 @@ void check_primitives(const PlanArguments& arguments, const PlannerSpec& planner
                   planner.name));
 }
 
+/// Throws InputError where --plot has nothing to plot.
+void check_plot(const PlanArguments& arguments, const PlannerSpec& planner) {
+  if (arguments.plot.empty()) return;
+  if (!info_of(planner).capabilities.anytime) {
+    throw InputError(
+        fmt::format("--plot changes nothing for the planner {}, which finds one path: use "
+                    "--planner ara_star",
+                    planner.name));
+  }
+  if (arguments.watch.step || arguments.watch.open_list) {
+    throw InputError("--plot cannot be combined with --step and --open-list");
+  }
+  plot_kind_of(arguments.plot);
+  check_folder(arguments.plot, "--plot " + arguments.plot);
+  require_gnuplot();
+}
+
 /// Options that the command sets with a flag of its own: a smoother has one, too.
 bool has_flag_of_its_own(const OptionInfo& option) { return option.name == "turning_radius"; }
 
@@ -85,12 +104,12 @@ bool is_csv_alone(const PlanArguments& arguments) {
 void check_idle(const Parser& plan, const PlanArguments& arguments) {
   const OutputFiles& output = arguments.output;
   if (!arguments.queries.empty()) {
-    refuse_idle(
-        plan,
-        {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding", "--trajectory"},
-        "--queries only answers queries; it draws, smooths and times nothing");
+    refuse_idle(plan,
+                {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding",
+                 "--trajectory", "--plot"},
+                "--queries only answers queries; it draws, smooths and times nothing");
   }
-  arguments.pictures.check(plan, output.any_picture(),
+  arguments.pictures.check(plan, output.any_picture() || !arguments.plot.empty(),
                            arguments.format == TableFormat::text && !output.print());
   if (is_csv_alone(arguments)) {
     refuse_idle(plan, {"--show"}, "a CSV file has no layers; use -o FILE.png or JSON");
@@ -153,6 +172,7 @@ int run(const PlanArguments& arguments) {
   planner.options.insert(planner.options.end(), flags.begin(), flags.end());
   check_constant(planner);
   check_primitives(arguments, planner);
+  check_plot(arguments, planner);
   const LoadedMap loaded =
       timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
   arguments.refine.steer(planner, arguments.map.coordinates(loaded.map));
@@ -221,6 +241,10 @@ Command add_plan(Parser& app) {
                            "(.gif), the path (.csv, after any smoothing) or the JSON; may be given "
                            "several times. If there is no path, the file states the reason instead",
                            "the path (JSON with --format json, else CSV)");
+  plan.add_option("--plot", arguments->plot,
+                  wrapped("With --planner ara_star: plot the cost of the best path and its proven "
+                          "lower bound over time (.png, .svg, .pdf); needs gnuplot"))
+      .type_name(kFileType);
   arguments->watch.add_to(plan);
   for (const PlannerInfo& planner : planners()) {
     std::vector<OptionInfo> options = planner.options;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "bench/plot/solution_plot.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/output/explanations.hpp"
+#include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
 #include "cli/watching/films.hpp"
@@ -128,8 +130,14 @@ void PlanRun::search() {
   make_layers(query.limits);
 }
 
-void PlanRun::search_to_the_end(const Query& query) {
+void PlanRun::search_to_the_end(Query query) {
   const Interruptible interruptible;  // what it did until then is reported
+  if (result_.capabilities.anytime) {
+    query.on_solution = [this, begun = thread_cpu_seconds()](const Plan& plan) {
+      result_.solutions.push_back(
+          {thread_cpu_seconds() - begun, plan.cost, plan.bound, plan.metrics.expanded});
+    };
+  }
   result_.status = timed(thread_cpu_seconds, result_.times.search,
                          [&] { return (*planner_)->plan(query, result_.plan); });
 }
@@ -365,6 +373,17 @@ void PlanRun::write_files() const {
     arguments_.trajectory.write_failure({std::string(to_string(result_.status)), result_.reason});
   }
   arguments_.output.write(writers, arguments_.format == TableFormat::json ? ".json" : ".csv");
+  if (!arguments_.plot.empty()) write_plot();
+}
+
+void PlanRun::write_plot() const {
+  if (result_.solutions.empty()) {
+    return complain("--plot: there is no path, so " + arguments_.plot + " is not written");
+  }
+  const std::string script = solution_plot(result_.solutions, plot_kind_of(arguments_.plot),
+                                           plot_colours_of(arguments_.pictures.style));
+  const std::string wrong = write_bytes(arguments_.plot, drawn_by_gnuplot(script));
+  if (!wrong.empty()) throw InputError(wrong);
 }
 
 void PlanRun::print_results() {

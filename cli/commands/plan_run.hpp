@@ -46,6 +46,7 @@ struct PlanArguments {
   PictureArguments pictures;
   ShownLayers layers;
   WatchArguments watch;
+  std::string plot;
   OutputFiles output;
 };
 
@@ -67,7 +68,7 @@ class PlanRun {
  private:
   Expected<WarmPlanner, Error> make_planner();
   void search();
-  void search_to_the_end(const Query& query);
+  void search_to_the_end(Query query);
   void search_for(SearchObserver& observer, Query query);
   Status search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told);
   std::optional<Status> go_on(SteppedSearch& search);
@@ -90,6 +91,7 @@ class PlanRun {
   Expected<std::string, Error> film() const;
   void print_results();
   void write_files() const;
+  void write_plot() const;
   void write_trace(PosthocTrace& trace) const;
 
   const PlanArguments& arguments_;

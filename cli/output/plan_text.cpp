@@ -23,10 +23,24 @@ std::string length_text(double cells, const Frame& frame) {
   return text;
 }
 
-std::string bound_text(const Plan& plan) {
-  if (plan.optimal()) return "optimal";
-  if (std::isfinite(plan.bound)) return fmt::format("at most {:g} times the optimum", plan.bound);
+std::string bound_text(double bound) {
+  if (bound == 1) return "optimal";
+  if (std::isfinite(bound)) return fmt::format("at most {:g} times the optimum", bound);
   return "no guarantee: a cheaper path may exist";
+}
+
+std::string bound_text(const Plan& plan) { return bound_text(plan.bound); }
+
+/// A line for each path of an anytime planner: when it came, its cost and bound.
+std::string solution_lines(const PlanResult& result) {
+  std::string text;
+  for (const TimedSolution& solution : result.solutions) {
+    text += named_line(
+        text.empty() ? "paths" : "",
+        fmt::format("after {:>9}, {:>8} expanded: cost {:.6g}, {}", time_text(solution.seconds),
+                    solution.expanded, solution.cost, bound_text(solution.bound)));
+  }
+  return text;
 }
 
 std::string one_of(std::size_t goals) { return fmt::format("one of {} goals", goals); }
@@ -119,7 +133,8 @@ std::string plan_summary(const PlanResult& result, const Frame& frame) {
   return named_line("planner", result.planner) +
          named_line("cost", fmt::format("{:.6g}", plan.cost)) +
          named_line("length", length_text(plan.path.length(), frame)) +
-         named_line("quality", bound_text(plan)) + work_lines(plan.metrics, result.times);
+         named_line("quality", bound_text(plan)) + solution_lines(result) +
+         work_lines(plan.metrics, result.times);
 }
 
 std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
@@ -133,7 +148,7 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
          (result.unit > 0 ? named_line("turns in", radius_text(result.unit, coordinates)) : "") +
          named_line(result.cost_name, fmt::format("{:.6g}", plan.cost)) +
          named_line("length", length_text(plan.path.length(), frame)) +
-         named_line("quality", bound_text(plan)) +
+         named_line("quality", bound_text(plan)) + solution_lines(result) +
          work_lines(plan.metrics, result.times, fmt::format("of {} states", result.states));
 }
 

@@ -20,7 +20,13 @@ constexpr std::string_view kIntroduction =
     "# Planners\n"
     "\n"
     "What each planner does, guarantees and costs, and when to choose it. `./run docs` writes this "
-    "page (`--registry-only`: without measuring); do not edit it by hand.\n";
+    "page (`--registry-only`: without measuring); do not edit it by hand.\n"
+    "\n"
+    "On the website, two of them search here; [the lab](lab.md) has all of them, on maps of your "
+    "own.\n"
+    "\n"
+    "<wend-lab map=\"rooms\" size=\"61x35\" seed=\"3\" planner=\"astar dijkstra\"></wend-lab>\n"
+    "<script type=\"module\" src=\"../lab/embed.js\"></script>\n";
 
 constexpr std::string_view kAboutOverview =
     "Memory is reserved for the whole map but touched only where a search goes; a search starts in "

@@ -1,7 +1,8 @@
 // EngineModule: wend as a WebAssembly module. One instance has one map, one robot and one search.
 
+import { generalText, numberOf, shortestText } from './number_text';
 import type {
-  CellInfo, Failure, Frame, Layer, MapInfo, Outcome, Range, Registry, Task, Window,
+  CellInfo, DriveReport, Failure, Frame, Knowledge, Layer, MapInfo, Outcome, Places, Pose, Range, Registry, Task, Widest, Window,
 } from './types';
 
 interface Exports {
@@ -11,13 +12,19 @@ interface Exports {
   text(): number;
   text_size(): number;
   registry(): void;
-  load(width: number, height: number, resolution: number, originX: number, originY: number, yUp: number, metric: number): void;
+  load(width: number, height: number, resolution: number, originX: number, originY: number, originYaw: number, yUp: number, metric: number): void;
   generate(text: number, width: number, height: number, seed: number): void;
   edit(count: number): void;
   robot(text: number, distance: number, cost: number, unknownFree: number): void;
   plan(planner: number, smoother: number, startX: number, startY: number, startHeading: number,
        goalX: number, goalY: number, goalHeading: number, headings: number, record: number,
        nearest: number, expansions: number, seconds: number): void;
+  places(startX: number, startY: number, startHeading: number, goalX: number, goalY: number, goalHeading: number,
+         headings: number): void;
+  widest(startX: number, startY: number, goalX: number, goalY: number): void;
+  drive(controller: number, robot: number, simulation: number): void;
+  generation(): number;
+  known(): number;
   cell(x: number, y: number): void;
   show(text: number): void;
   paint(width: number, height: number, left: number, top: number, cells: number, step: number): number;
@@ -30,6 +37,22 @@ interface Exports {
   parents(): number;
   steps(): number;
   expanded_at(step: number): number;
+}
+
+/** Numbers as text: see lab/wasm/number_text.cpp. */
+function numberCalls(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
+  return {
+    write_number: (value: number, digits: number, address: number): number => {
+      const text = digits === 0 ? shortestText(value) : generalText(value, digits);
+      return new TextEncoder().encodeInto(text, new Uint8Array(memory().buffer, address, 48)).written;
+    },
+    read_number: (address: number, size: number, to: number): number => {
+      const value = numberOf(new TextDecoder().decode(new Uint8Array(memory().buffer, address, size)));
+      if (typeof value !== 'number') return value === undefined ? 1 : 2;
+      new DataView(memory().buffer).setFloat64(to, value, true);
+      return 0;
+    },
+  };
 }
 
 /** The system calls that the module may make: the clock and random numbers; it has no files. */
@@ -56,10 +79,11 @@ export class EngineModule {
 
   static async from(module: WebAssembly.Module): Promise<EngineModule> {
     let memory: WebAssembly.Memory | undefined;
-    const calls = systemCalls(() => memory!);
+    const calls = numberCalls(() => memory!);
+    const system = systemCalls(() => memory!);
     const imports: Record<string, Record<string, WebAssembly.ImportValue>> = {};
     for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-      (imports[from] ??= {})[name] = calls[name]!;
+      (imports[from] ??= {})[name] = (from === 'lab' ? calls : system)[name]!;
     }
     const instance = await WebAssembly.instantiate(module, imports);
     const wasm = instance.exports as unknown as Exports;
@@ -76,7 +100,7 @@ export class EngineModule {
   load(cells: Uint8Array, width: number, height: number, frame: Frame): MapInfo | Failure {
     this.bytes(this.wasm.input(cells.length), cells.length).set(cells);
     this.wasm.load(width, height, frame.resolution, frame.originX, frame.originY,
-                   Number(frame.yUp), Number(frame.metric));
+                   frame.originYaw, Number(frame.yUp), Number(frame.metric));
     return this.answer<MapInfo | Failure>();
   }
 
@@ -118,6 +142,27 @@ export class EngineModule {
     return 'error' in outcome ? outcome : { ...outcome, path: this.points() };
   }
 
+  /** The nearest places where the robot fits: at their headings, or for a planner on cells. */
+  places(start: Pose, goal: Pose, headings: boolean): Places | Failure {
+    this.wasm.places(start.x, start.y, start.heading, goal.x, goal.y, goal.heading, Number(headings));
+    return this.answer<Places | Failure>();
+  }
+
+  widest(start: Pose, goal: Pose): Widest | Failure {
+    this.wasm.widest(start.x, start.y, goal.x, goal.y);
+    const answer = this.answer<Widest | Failure>();
+    return 'error' in answer || !answer.joined ? answer : { ...answer, path: this.points() };
+  }
+
+  /** Drives along the last path: "pid:kp=1", "robot:speed=0.3", "simulation:rate=20". */
+  drive(controller: string, robot: string, simulation: string): DriveReport | Failure {
+    const sizes = [controller, robot, simulation].map((text) => utf8(text).length) as [number, number, number];
+    this.write(controller + robot + simulation);
+    this.wasm.drive(...sizes);
+    const answer = this.answer<DriveReport | Failure>();
+    return 'error' in answer ? answer : { ...answer, samples: this.points() };
+  }
+
   cell(x: number, y: number): CellInfo | Failure {
     this.wasm.cell(x, y);
     const info = this.answer<CellInfo | Failure>();
@@ -154,9 +199,18 @@ export class EngineModule {
 
   /** For each cell of the map the index of its parent; 2^32 - 1: none. Empty without a recorded search. */
   parents(): Uint32Array {
-    const address = this.wasm.parents();
-    return address === 0 ? new Uint32Array()
-      : new Uint32Array(this.wasm.memory.buffer, address, this.wasm.cells_size()).slice();
+    const size = this.wasm.steps() === 0 ? 0 : this.wasm.cells_size();
+    return new Uint32Array(this.wasm.memory.buffer, this.wasm.parents(), size).slice();
+  }
+
+  /** What the search knew of each cell; empty arrays without a recorded search. */
+  knowledge(): Knowledge {
+    const size = this.wasm.steps() === 0 ? 0 : this.wasm.cells_size();
+    const numbers = (address: number) => new Uint32Array(this.wasm.memory.buffer, address, size).slice();
+    return {
+      expansion: numbers(this.wasm.expansion()), generation: numbers(this.wasm.generation()), parent: numbers(this.wasm.parents()),
+      known: new Float32Array(this.wasm.memory.buffer, this.wasm.known(), 3 * size).slice(),
+    };
   }
 
   private write(text: string): number {

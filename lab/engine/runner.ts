@@ -4,7 +4,7 @@
 import { specOf, type Choice, type State } from '../store/state';
 import type { Stroke } from '../store/store';
 import { Engine, type Program } from './engine';
-import type { Failure, Layer, Outcome, Range } from './types';
+import type { Failure, Layer, Outcome, Places, Range } from './types';
 
 /** A search that is longer than this while ends are dragged is not written down before they are let go. */
 const livelyMilliseconds = 25;
@@ -23,6 +23,7 @@ export class Runner {
   private footprint = 'point';
   private wanted: { state: State; choice: Choice; dragging: boolean } | null = null;
   private lastRecording = 0;
+  private lastSearch = 0;
 
   constructor(private readonly program: Program, private readonly changed: (runner: Runner) => void) {
     this.engine = new Engine(program);
@@ -37,6 +38,11 @@ export class Runner {
   request(state: State, choice: Choice, dragging: boolean): void {
     this.wanted = { state, choice, dragging };
     if (!this.busy) void this.work();
+  }
+
+  /** Plans for this state; for one search beside the page's. */
+  search(state: State, choice: Choice): Promise<void> {
+    return this.plan(state, choice, false);
   }
 
   /** Ends a search that takes too long. */
@@ -72,7 +78,14 @@ export class Runner {
   }
 
   private async plan(state: State, choice: Choice, dragging: boolean): Promise<void> {
+    const painting = dragging && this.pending.length > 0;
     const fault = await this.take(state);
+    // A brush does not wait for searches: the next one comes when it is let go.
+    if (!fault && painting && this.lastSearch > livelyMilliseconds) {
+      this.outcome = null;
+      this.failure = null;
+      return;
+    }
     const record = !dragging || this.lastRecording < livelyMilliseconds;
     const began = performance.now();
     const answer = fault ?? await this.engine.call('plan', {
@@ -85,7 +98,8 @@ export class Runner {
       nearest: dragging,
       seconds: 60,
     });
-    if (record) this.lastRecording = performance.now() - began;
+    this.lastSearch = performance.now() - began;
+    if (record) this.lastRecording = this.lastSearch;
     const failed = 'error' in answer;
     this.failure = failed ? answer : null;
     this.outcome = failed ? null : answer;
@@ -95,6 +109,13 @@ export class Runner {
   async show(layer: Layer): Promise<void> {
     const range = await this.engine.call('show', layer);
     this.range = 'error' in range ? null : range;
+  }
+
+  /** Places near both ends where a robot of this shape fits; a failure if there is no such robot or map. */
+  async places(state: State, footprint: string, headings: boolean): Promise<Places | Failure> {
+    this.footprint = footprint;
+    const robot = await this.engine.call('robot', footprint, 0, 4, false);
+    return 'error' in robot ? robot : this.engine.call('places', state.start, state.goal, headings);
   }
 
   /** Gives the engine the map, its changes, and the robot. */

@@ -3,10 +3,11 @@
 import type { Clock } from '../store/clock';
 import type { State } from '../store/state';
 import type { Stroke } from '../store/store';
-import type { Program } from './engine';
+import { Engine, type Program } from './engine';
 import { Runner } from './runner';
+import type { Planning } from './sampling';
 import type { Layer, MapInfo, Failure } from './types';
-import { specOf, type Recipe } from '../store/state';
+import { specOf, type Choice, type Recipe } from '../store/state';
 
 export class Searches {
   readonly runners: Runner[] = [];
@@ -43,6 +44,11 @@ export class Searches {
     for (const runner of this.runners) runner.stop();
   }
 
+  /** Ends all workers. */
+  end(): void {
+    this.resize(0);
+  }
+
   get busy(): boolean {
     return this.runners.some((runner) => runner.busy);
   }
@@ -62,6 +68,21 @@ export class Searches {
     return Math.min(Math.floor((seconds / Math.max(outcome.seconds, 1e-9)) * outcome.steps), outcome.steps);
   }
 
+  /** The moment of the clock at which a search has made `step` expansions: stepOf() the other way. */
+  clockOf(index: number, step: number, state: State): number {
+    const outcome = this.runners[index]?.outcome;
+    if (!outcome || state.pace === 'expansions' || this.clock.length === 0) return step;
+    const slowest = Math.max(...this.runners.map(({ outcome: each }) => each?.seconds ?? 0), 1e-9);
+    return Math.ceil((((step / Math.max(outcome.steps, 1)) * outcome.seconds) / slowest) * this.clock.length);
+  }
+
+  /** The moments at which a cell is expanded, by any of the searches. */
+  async momentsOf(cell: { x: number; y: number } | null, state: State): Promise<number[]> {
+    if (!cell) return [];
+    const infos = await Promise.all(this.runners.map((runner) => runner.engine.call('cell', cell.x, cell.y)));
+    return infos.flatMap((info, i) => ('error' in info || !info.expansion ? [] : [this.clockOf(i, info.expansion, state)]));
+  }
+
   /** A map of a recipe, made beside the searches. */
   async make(recipe: Recipe): Promise<{ info: MapInfo; cells: Uint8Array } | Failure> {
     const maker = new Runner(this.program, () => undefined).engine;
@@ -70,6 +91,29 @@ export class Searches {
     const made = 'error' in info ? info : { info, cells: await maker.call('cells') };
     maker.end();
     return made;
+  }
+
+  /** The cells that a search expands, in order, made beside the others; null if it cannot be made. */
+  async tryOut(state: State, choice: Choice): Promise<Uint32Array | null> {
+    const runner = new Runner(this.program, () => undefined);
+    await runner.search(state, choice);
+    const order = runner.outcome ? await runner.engine.call('expansions') : null;
+    runner.end();
+    return order;
+  }
+
+  /** Engines in workers of their own, for other work than the page's searches. */
+  helpers(count: number): { planning: Planning; end(): void }[] {
+    return Array.from({ length: count }, () => {
+      const engine = new Engine(this.program);
+      return {
+        planning: {
+          load: (...args) => engine.call('load', ...args), robot: (...args) => engine.call('robot', ...args),
+          plan: (task) => engine.call('plan', task),
+        },
+        end: () => engine.end(),
+      };
+    });
   }
 
   private resize(count: number): void {

@@ -53,11 +53,20 @@ export interface SmootherInfo {
   options: OptionInfo[];
 }
 
+export interface ControllerInfo {
+  name: string;
+  summary: string;
+  citation: string;
+  turnsInPlace: boolean;
+  options: OptionInfo[];
+}
+
 export interface Registry {
   version: string;
   planners: PlannerInfo[];
   generators: GeneratorInfo[];
   smoothers: SmootherInfo[];
+  controllers: ControllerInfo[];
 }
 
 /** How the cells lie in the world. Row 0 of the cells is drawn last if yUp is set. */
@@ -65,11 +74,13 @@ export interface Frame {
   resolution: number;
   originX: number;
   originY: number;
+  /** Radians. */
+  originYaw: number;
   yUp: boolean;
   metric: boolean;
 }
 
-export const plainFrame: Frame = { resolution: 1, originX: 0, originY: 0, yUp: false, metric: false };
+export const plainFrame: Frame = { resolution: 1, originX: 0, originY: 0, originYaw: 0, yUp: false, metric: false };
 
 export interface MapInfo extends Frame {
   width: number;
@@ -136,6 +147,48 @@ export interface CellInfo {
   f?: number | null;
   /** The chain of parents to the start, as points. */
   chain: Float64Array;
+}
+
+/** Where the robot fits, near both ends. */
+export interface Places {
+  start: Pose;
+  goal: Pose;
+}
+
+/** The largest robot that gets from the start to the goal, in cells, and its narrowest place. */
+export type Widest = { joined: false } | {
+  joined: true;
+  /** null: no obstacle limits it. */
+  radius: number | null;
+  x: number;
+  y: number;
+  path: Float64Array;
+};
+
+/** A simulated drive along the last path. Metres, seconds, radians. */
+export interface DriveReport {
+  outcome: string;
+  told: string;
+  time: number;
+  distance: number;
+  rms: number;
+  largest: number;
+  finalError: number;
+  swings: number;
+  oscillates: boolean;
+  /** Seven numbers for each command: see sampleSize. */
+  samples: Float64Array;
+}
+/** Time, x, y, heading (grid coordinates), speed, distance from the path to the left, heading error. */
+export const sampleSize = 7;
+
+/** What a search knew of each cell, for a trace of it. */
+export interface Knowledge {
+  expansion: Uint32Array;
+  generation: Uint32Array;
+  parent: Uint32Array;
+  /** g, h and f of each cell. */
+  known: Float32Array;
 }
 
 export interface Window {

@@ -1,15 +1,7 @@
 // "What is expanded next?": the visitor names a cell, the search answers, and the page keeps score.
 
 import type { CellInfo, Failure } from '../engine/types';
-
-export interface Score {
-  right: number;
-  asked: number;
-  /** What the last answer was, in words. */
-  said: string;
-}
-
-export const noScore: Score = { right: 0, asked: 0, said: '' };
+import { scored, type Score } from './score';
 
 /** What a search tells for an answer; EngineModule has it. */
 export interface Told {
@@ -23,8 +15,7 @@ export async function guess(told: Told, width: number, step: number, cell: { x: 
   const at = { x: next % width, y: Math.floor(next / width) };
   const [named, truth] = await Promise.all([told.cell(cell.x, cell.y), told.cell(at.x, at.y)]);
   const right = at.x === cell.x && at.y === cell.y;
-  const count = { right: score.right + (right ? 1 : 0), asked: score.asked + 1 };
-  return { ...count, said: right ? `Right. ${why(truth)}` : `No: (${at.x}, ${at.y}) is next. ${why(truth)} ${whyNot(named, step)}` };
+  return scored(score, right, right ? `Right. ${why(truth)}` : `No: (${at.x}, ${at.y}) is next. ${why(truth)} ${whyNot(named, step)}`);
 }
 
 function why(info: CellInfo | Failure): string {

@@ -35,7 +35,7 @@ export function readMapYaml(text: string, file: string): MapYaml {
   if (free >= occupied) throw fault(file, 0, `free_thresh ${free} must be below occupied_thresh ${occupied}`);
   return {
     image,
-    frame: { resolution, originX: origin[0]!, originY: origin[1]!, yUp: true, metric: true },
+    frame: { resolution, originX: origin[0]!, originY: origin[1]!, originYaw: origin[2] ?? 0, yUp: true, metric: true },
     meaning: { mode, negate: /^(1|true)$/i.test(negateText), occupied, free },
   };
 }
@@ -60,6 +60,6 @@ function fieldsOf(text: string): Map<string, [string, number]> {
 
 /** The text of a map.yaml beside an image. */
 export function writeMapYaml(image: string, frame: Frame): string {
-  return `image: ${image}\nmode: trinary\nresolution: ${frame.resolution}\norigin: [${frame.originX}, ${frame.originY}, 0]\n` +
+  return `image: ${image}\nmode: trinary\nresolution: ${frame.resolution}\norigin: [${frame.originX}, ${frame.originY}, ${frame.originYaw}]\n` +
     `negate: 0\noccupied_thresh: ${usualMeaning.occupied}\nfree_thresh: ${usualMeaning.free}\n`;
 }

@@ -19,11 +19,13 @@ export function mapText(map: MapDocument): string {
 
 /** The points of a path as CSV: grid coordinates, and metres of the map's frame. */
 export function pathCsv(map: MapDocument, path: Float64Array): string {
-  const { resolution, originX, originY } = map.frame;
+  const { resolution, originX, originY, originYaw } = map.frame;
+  const cos = resolution * Math.cos(originYaw);
+  const sin = resolution * Math.sin(originYaw);
   const rows = ['x,y,heading,x_m,y_m'];
   for (let i = 0; i + 2 < path.length; i += 3) {
     const [x, y, heading] = [path[i]!, path[i + 1]!, path[i + 2]!];
-    rows.push([x, y, heading, originX + resolution * x, originY + resolution * y].join(','));
+    rows.push([x, y, heading, originX + cos * x - sin * y, originY + sin * x + cos * y].join(','));
   }
   return `${rows.join('\n')}\n`;
 }

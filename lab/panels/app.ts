@@ -1,42 +1,36 @@
-// <wend-lab>: the page: wires the store, the clock, the searches, the views and the panels.
+// <wend-lab-page>: the page: wires the store, the clock, the searches, the views and the panels.
 
 import { html, LitElement, nothing } from 'lit';
 import type { Program } from '../engine/engine';
+import { Extras } from '../engine/extras';
 import { Searches } from '../engine/searches';
 import type { Failure, Layer, Registry } from '../engine/types';
 import type { ScenarioQuery } from '../formats/moving_ai';
 import { Clock } from '../store/clock';
 import { readLink } from '../store/link';
-import { fromLink, fromRecipe } from '../store/maps';
+import { firstRecipe, fromLink, fromRecipe } from '../store/maps';
 import type { Choice, Recipe, State } from '../store/state';
 import { Store, type Stroke } from '../store/store';
-import { guess, noScore } from '../exercises/next';
+import { Lesson } from '../exercises/lesson';
 import { Camera, type Point } from '../view/camera';
 import '../view/map_view';
 import type { MapView, Pointed } from '../view/map_view';
 import { dark, light } from '../view/palette';
 import { appStyle } from './app_style';
-import { endsOfQuery, save, stateOfFiles } from './desk';
-import './facts';
-import './file_panel';
+import { save, stateOfFiles } from './desk';
 import type { Saved } from './file_panel';
-import './exercise_panel';
 import { keyed } from './keys';
-import './layers_panel';
-import './map_panel';
-import './results';
-import './robot_panel';
-import './runs_panel';
 import { share } from './share';
+import './side';
+import type { Actions } from './side';
 import { panelStyle } from './style';
+import { theme } from './theme';
 import './tools_panel';
 import './transport';
-import { cellInWords, outcomeInWords } from './words';
+import { outcomeInWords } from './words';
 
-const firstRecipe: Recipe = { generator: 'rooms', options: {}, width: 61, height: 35, seed: 3 };
-
-export class App extends LitElement {
-  static override styles = [panelStyle, appStyle];
+export class App extends LitElement implements Actions {
+  static override styles = [panelStyle, theme, appStyle];
 
   private readonly store = new Store();
   private readonly clock = new Clock();
@@ -52,14 +46,18 @@ export class App extends LitElement {
   /** The step that a link asks for, once its searches are done. */
   private step: number | null = null;
   private unfitted = true;
-  private answers = 0;
   private queries: ScenarioQuery[] = [];
-  private score = noScore;
+  private extras!: Extras;
+  private lesson!: Lesson;
+  private drawn = 0;
 
   /** Begins with a compiled engine, its registry, and the text of a link. */
   async begin(program: Program, registry: Registry, link: string): Promise<void> {
     this.registry = registry;
     this.searches = new Searches(program, this.clock, (all) => this.answered(all));
+    this.lesson = new Lesson(this.store, this.clock, () => this.searches, registry, (message) => this.say(message));
+    this.extras = new Extras(this.searches, this.clock, () => this.requestUpdate());
+    this.extras.clock.listen(() => this.refreshViews());
     this.store.listen((state, before, stroke) => this.changed(state, before, stroke));
     this.clock.listen(() => this.refreshViews());
     this.scheme.addEventListener('change', () => this.requestUpdate());
@@ -69,6 +67,7 @@ export class App extends LitElement {
     if (link === '' || !await this.open(link)) await this.make(firstRecipe, false);
     const frame = (now: number) => {
       this.clock.tick(now);
+      this.extras.clock.tick(now);
       requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
@@ -90,32 +89,8 @@ export class App extends LitElement {
           ${state.runs.map((run, i) => this.view(run, i))}
         </section>
         <aside aria-label="Settings">
-          <lab-runs .store=${this.store} .registry=${this.registry} .state=${state} @count=${() => { this.unfitted = true; }}></lab-runs>
-          <section><h2>Result</h2>
-            <lab-results .runners=${this.searches.runners} .runs=${state.runs} version=${this.answers}></lab-results>
-            ${this.searches.busy ? html`<button @click=${() => this.searches.stop()}>Stop the search</button>` : nothing}
-          </section>
-          <section><h2>Under the pointer</h2>${this.cellFacts()}</section>
-          <section><h2>Colours</h2>
-            <lab-layers .store=${this.store} .state=${state} .range=${this.searches.runners[0]?.range ?? null}
-              @show=${(event: CustomEvent<Layer>) => this.show(event.detail)}></lab-layers></section>
-          <section><h2>Robot and path</h2>
-            <lab-robot .store=${this.store} .registry=${this.registry} .state=${state}></lab-robot></section>
-          <section><h2>Map</h2>
-            <lab-map-panel .registry=${this.registry} .recipe=${state.map.recipe ?? firstRecipe}
-              name="${state.map.name}, ${state.map.width} × ${state.map.height} cells"
-              @make=${(event: CustomEvent<Recipe>) => this.make(event.detail)}></lab-map-panel>
-          </section>
-          <section><h2>Files</h2>
-            <lab-files .queries=${this.queries}
-              @open=${(event: CustomEvent<File[]>) => this.openFiles(event.detail)}
-              @query=${(event: CustomEvent<number>) => this.store.commit(endsOfQuery(this.queries[event.detail]!))}
-              @save=${(event: CustomEvent<Saved>) => this.save(event.detail)}></lab-files>
-          </section>
-          <section><h2>Exercise</h2>
-            <lab-exercise .store=${this.store} .score=${this.score} ?active=${state.exercise !== ''}
-              @begin=${() => this.beginExercise()}></lab-exercise></section>
-          ${document.getElementById('wend-wasm') ? nothing : html`<section><a href="./licences.html">Licences</a></section>`}
+          <lab-side .store=${this.store} .registry=${this.registry} .searches=${this.searches} .lesson=${this.lesson} .extras=${this.extras}
+            .actions=${this} .queries=${this.queries} .pointed=${this.pointed} version=${++this.drawn}></lab-side>
         </aside>
       </main>
       <footer><lab-transport .clock=${this.clock}></lab-transport></footer>
@@ -136,27 +111,21 @@ export class App extends LitElement {
       ${many ? html`<figcaption>${run.planner}</figcaption>` : nothing}
       ${reason ? html`<p class="reason">${reason}.</p>` : nothing}
       <lab-map .store=${this.store} .clock=${this.clock} .runner=${this.searches.runners[i]!} .camera=${this.camera}
-        .headings=${this.registry!.planners.some(({ name, headings }) => name === run.planner && headings)}
+        .headings=${this.turns(run.planner)} .extras=${i === 0 ? this.extras : null}
         .colours=${colours} .stepOf=${() => this.searches.stepOf(i, this.store.state)}
         label="Map with the search of ${run.planner}. Arrow keys move the cursor, space paints, S and G set start and goal."
         @camera=${() => this.refreshViews()} @resized=${() => this.fit()}
-        @answer=${(event: CustomEvent<Point>) => this.guess(event.detail)}
+        @answer=${(event: CustomEvent<Point>) => this.name(event.detail)}
         @drag=${(event: CustomEvent<boolean>) => this.drag(event.detail)}
         @pointed=${(event: CustomEvent<Pointed | null>) => this.point(event.detail)}></lab-map></figure>`;
   }
 
-  private cellFacts() {
-    if (!this.pointed) return html`<p>Point at a cell, or move to the map with Tab and use the arrow keys.</p>`;
-    const { cell, info } = this.pointed;
-    return html`<lab-facts .lines=${cellInWords(cell, info, this.pointedStep())}></lab-facts>`;
-  }
-
-  private pointedStep(): number {
+  stepOfPointed(): number {
     const index = this.searches.runners.findIndex((runner) => runner === this.pointed?.runner);
     return this.searches.stepOf(index, this.store.state);
   }
 
-  private async make(recipe: Recipe, undoable = true): Promise<void> {
+  async make(recipe: Recipe, undoable = true): Promise<void> {
     this.queries = [];
     this.take(await fromRecipe(recipe, this.registry!, (each) => this.searches.make(each)), undoable);
   }
@@ -168,16 +137,28 @@ export class App extends LitElement {
       this.say(`${linked}.`);
       return false;
     }
-    const change = await fromLink(linked, (each) => this.searches.make(each));
+    const change = await fromLink(linked, this.registry!, (each) => this.searches.make(each));
     this.step = 'error' in change ? null : linked.step;
     return this.take(change, this.store.state.map !== null);
   }
 
-  private async openFiles(files: File[]): Promise<void> {
+  async openFiles(files: File[]): Promise<void> {
     const opened = await stateOfFiles(files, this.store.state);
     if (typeof opened === 'string') return this.say(`${opened}.`);
     this.queries = opened.queries;
     this.take(opened.change, true);
+  }
+
+  /** Another robot. Ends where it does not fit move to where it does. */
+  async shape(footprint: string): Promise<void> {
+    const { state } = this.store;
+    const places = await this.searches.runners[0]!.places(state, footprint, this.turns(state.runs[0]!.planner));
+    this.store.commit('error' in places ? { footprint } : { footprint, start: places.start, goal: places.goal });
+  }
+
+  /** Does a planner know headings? */
+  private turns(planner: string): boolean {
+    return this.registry!.planners.some(({ name, headings }) => name === planner && headings);
   }
 
   private drop(event: DragEvent): void {
@@ -185,9 +166,8 @@ export class App extends LitElement {
     void this.openFiles([...(event.dataTransfer?.files ?? [])]);
   }
 
-  private async save(what: Saved): Promise<void> {
-    const path = this.searches.runners[0]?.outcome?.path ?? null;
-    this.say(await save(what, this.store.state, path, this.views()[0]));
+  async save(what: Saved): Promise<void> {
+    this.say(await save(what, this.store.state, this.views()[0]));
   }
 
   /** A new map, unless there is none, for a reason. */
@@ -203,13 +183,16 @@ export class App extends LitElement {
   }
 
   private changed(state: State, before: State, stroke?: Stroke): void {
-    this.searches.update(state, before, stroke, this.dragging || stroke !== undefined);
+    this.searches.update(state, before, stroke, this.dragging);
+    if (!this.searches.busy) void this.extras.ask(state, before);
     this.requestUpdate();
   }
 
   private answered(all: boolean): void {
-    ++this.answers;
     if (all) {
+      this.lesson.answered();
+      if (this.dragging) this.extras.clear();
+      else void this.extras.ask(this.store.state, null);
       const { longest } = this.searches;
       if (!this.dragging || longest > 0) this.clock.restart(longest, this.play && this.step === null);
       if (this.step !== null) this.clock.seek(this.step);
@@ -223,7 +206,7 @@ export class App extends LitElement {
     this.requestUpdate();
   }
 
-  private async show(layer: Layer): Promise<void> {
+  async show(layer: Layer): Promise<void> {
     this.store.set({ layer });
     await this.searches.show(layer);
     this.requestUpdate();
@@ -234,34 +217,23 @@ export class App extends LitElement {
     if (!active) this.searches.request(this.store.state);
   }
 
-  private beginExercise(): void {
-    this.score = noScore;
-    this.clock.playing = false;
-    this.clock.seek(1);
+  /** The answer to an exercise. */
+  private async name(cell: Point): Promise<void> {
+    await this.lesson.cell(cell);
     this.requestUpdate();
   }
 
-  private async guess(cell: Point): Promise<void> {
-    const runner = this.searches.runners[0]!;
-    const { map } = this.store.state;
-    const step = this.searches.stepOf(0, this.store.state);
-    if (!map || !runner.outcome || step >= runner.outcome.steps) return this.say('The search has ended: go back to an earlier moment.');
-    const told = {
-      expandedAt: (at: number) => runner.engine.call('expandedAt', at),
-      cell: (x: number, y: number) => runner.engine.call('cell', x, y),
-    };
-    this.score = await guess(told, map.width, step, cell, this.score);
-    this.clock.move(1);
-    this.say(this.score.said);
-  }
-
-  private async share(): Promise<void> {
+  async share(): Promise<void> {
     this.say(await share(this.store.state, this.clock.step));
   }
 
   private point(pointed: Pointed | null): void {
     this.pointed = pointed;
     this.requestUpdate();
+  }
+
+  fitSoon(): void {
+    this.unfitted = true;
   }
 
   private fit(): void {
@@ -281,10 +253,10 @@ export class App extends LitElement {
     for (const view of this.views()) view.refresh();
   }
 
-  private say(message: string): void {
+  say(message: string): void {
     this.message = message;
     this.requestUpdate();
   }
 }
 
-customElements.define('wend-lab', App);
+customElements.define('wend-lab-page', App);

@@ -15,11 +15,8 @@ export const appStyle = css`
     font-size: 0.8125rem; background: var(--page); color: var(--ink); pointer-events: none; }
   .reason { position: absolute; z-index: 1; left: 0.75rem; right: 0.75rem; bottom: 0.75rem; padding: 0.5rem 0.75rem; border-radius: 6px;
     border-left: 4px solid var(--current); background: var(--page); color: var(--ink); pointer-events: none; }
-  aside a { font-size: 0.8125rem; }
   .space { flex: 1; }
   aside { overflow-y: auto; border-left: 1px solid var(--line); }
-  aside > section { padding: 0.9rem 1rem; border-bottom: 1px solid var(--line); }
-  aside > section:last-child { border: 0; }
   footer { padding: 0.6rem 1rem; border-top: 1px solid var(--line); }
   .live { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
   .wait { padding: 2rem; }

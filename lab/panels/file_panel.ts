@@ -5,7 +5,7 @@ import type { ScenarioQuery } from '../formats/moving_ai';
 import { number } from './words';
 import { panelStyle } from './style';
 
-export type Saved = 'map' | 'path' | 'png' | 'svg';
+export type Saved = 'map' | 'path' | 'png' | 'svg' | 'gif' | 'trace';
 
 export class FilePanel extends LitElement {
   static override styles = panelStyle;
@@ -24,7 +24,8 @@ export class FilePanel extends LitElement {
         </select></label>` : nothing}
       <div class="row">
         ${this.button('map', 'Save map')}${this.button('path', 'Path CSV')}
-        ${this.button('png', 'PNG')}${this.button('svg', 'SVG')}</div></div>`;
+        ${this.button('png', 'PNG')}${this.button('svg', 'SVG')}
+        ${this.button('gif', 'GIF')}${this.button('trace', 'Posthoc trace')}</div></div>`;
   }
 
   private button(what: Saved, label: string) {

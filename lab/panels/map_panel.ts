@@ -1,13 +1,13 @@
 // <lab-map-panel>: a map from a generator, and its seed.
 
-import { html, LitElement, nothing } from 'lit';
+import { css, html, LitElement, nothing } from 'lit';
 import type { GeneratorInfo, Registry } from '../engine/types';
 import type { Recipe } from '../store/state';
 import { sentence } from './planner_panel';
 import { panelStyle } from './style';
 
 export class MapPanel extends LitElement {
-  static override styles = panelStyle;
+  static override styles = [panelStyle, css`.row button { flex: 0 0 auto; }`];
   static override properties = {
     registry: { attribute: false },
     recipe: { attribute: false },

@@ -25,8 +25,8 @@ export class PlannerPanel extends LitElement {
         <label>${this.heading}
           <select @change=${this.choosePlanner}>
             ${this.registry.planners.map(({ name, summary, needsIndex }) => html`
-              <option value=${name} ?selected=${name === planner.name} ?disabled=${needsIndex}
-                title=${summary}>${name}${needsIndex ? ' (needs an index)' : ''}</option>`)}
+              <option value=${name} ?selected=${name === planner.name}
+                title=${summary}>${name}${needsIndex ? ' (builds an index)' : ''}</option>`)}
           </select>
         </label>
         <p>${sentence(planner.summary)}</p>

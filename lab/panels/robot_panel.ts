@@ -1,11 +1,12 @@
 // <lab-robot>: the shape of the robot, the headings of start and goal, and smoothing.
 
 import { html, LitElement, nothing } from 'lit';
-import type { Registry } from '../engine/types';
+import type { Failure, Registry, Widest } from '../engine/types';
 import type { Place, State } from '../store/state';
 import type { Store } from '../store/store';
 import { sentence } from './planner_panel';
 import { panelStyle } from './style';
+import { number } from './words';
 
 type Shape = 'point' | 'disc' | 'polygon';
 
@@ -14,11 +15,14 @@ const firstPolygon = (unit: number) =>
 
 export class RobotPanel extends LitElement {
   static override styles = panelStyle;
-  static override properties = { store: { attribute: false }, registry: { attribute: false }, state: { attribute: false } };
+  static override properties = {
+    store: { attribute: false }, registry: { attribute: false }, state: { attribute: false }, widest: { attribute: false },
+  };
 
   declare store: Store;
   declare registry: Registry;
   declare state: State;
+  declare widest: Widest | Failure | null;
 
   override render() {
     const { footprint, smoother, runs, map } = this.state;
@@ -49,7 +53,22 @@ export class RobotPanel extends LitElement {
             <option value=${name} title=${summary} ?selected=${smoother.split(':')[0] === name}>${sentence(name, '')}</option>`)}
         </select></label>
       ${this.smootherOptions(smoother)}
+      <label class="check"><input type="checkbox" .checked=${this.state.widest}
+        @change=${(event: Event) => this.store.set({ widest: (event.target as HTMLInputElement).checked })}>
+        Show the widest path</label>
+      ${this.state.widest && this.widest ? html`<p>${this.widestInWords(this.widest, unit)}</p>` : nothing}
     </div>`;
+  }
+
+  /** For the largest robot that gets through. */
+  private widestInWords(widest: Widest | Failure, unit: string): string {
+    if ('error' in widest) return sentence(widest.error);
+    if (!widest.joined) return 'No robot gets from the start to the goal, not even a point.';
+    if (widest.radius === null) return 'No obstacle limits the size of the robot.';
+    const { frame } = this.state.map!;
+    const scale = frame.metric ? frame.resolution : 1;
+    return `A disc of radius ${number(widest.radius * scale, 3)} ${unit} gets through, a larger one does not. Its narrowest place is at ` +
+      `cell (${Math.floor(widest.x)}, ${Math.floor(widest.y)}).`;
   }
 
   private heading(end: 'start' | 'goal', label: string) {
@@ -87,7 +106,7 @@ export class RobotPanel extends LitElement {
   }
 
   private set(footprint: string): void {
-    this.store.commit({ footprint });
+    this.dispatchEvent(new CustomEvent('shape', { detail: footprint }));
   }
 }
 

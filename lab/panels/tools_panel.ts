@@ -9,6 +9,7 @@ const tools: { tool: Tool; label: string; title: string }[] = [
   { tool: 'wall', label: 'Wall', title: 'Drag over cells to make obstacles; begin on an obstacle to remove some (W)' },
   { tool: 'cost', label: 'Cost', title: 'Drag over cells to make them cost more (C)' },
   { tool: 'erase', label: 'Erase', title: 'Drag over cells to free them (E)' },
+  { tool: 'break', label: 'Break-point', title: 'Choose a cell: playing stops where it is expanded (B on the map sets it at the cursor)' },
   { tool: 'look', label: 'Move map', title: 'Drag to move the map; the wheel or two fingers zoom (M)' },
 ];
 
@@ -44,7 +45,7 @@ export class ToolsPanel extends LitElement {
           <button role="radio" aria-checked=${tool === each.tool} title=${each.title}
             @click=${() => this.store.set({ tool: each.tool })}>${each.label}</button>`)}
       </div>
-      ${tool === 'look' ? nothing : html`<label>Brush
+      ${tool === 'look' || tool === 'break' ? nothing : html`<label>Brush
         <input type="number" min="1" max="64" .value=${String(brush)}
           @change=${(event: Event) => this.store.set({ brush: numberIn(event, 1, 64) })}></label>`}
       ${tool !== 'cost' ? nothing : html`<label>Cost

@@ -10,6 +10,8 @@ export function number(value: number, digits = 2): string {
 
 /** "0.8 ms" */
 export function duration(seconds: number): string {
+  // Browsers count in tenths of milliseconds.
+  if (seconds < 1e-4) return '< 0.1 ms';
   return seconds < 1 ? `${number(seconds * 1000, 1)} ms` : `${number(seconds, 2)} s`;
 }
 

@@ -21,6 +21,8 @@ export class Clock {
   length = 0;
   playing = false;
   speed = usualSpeed;
+  /** Playing stops at each of these steps. */
+  stops: readonly number[] = [];
   private at = 0;
   private last: number | undefined;
   private readonly listeners = new Set<() => void>();
@@ -71,8 +73,14 @@ export class Clock {
     if (!this.playing) return;
     const { perSecond, wholeIn } = speeds[this.speed]!;
     const rate = perSecond ?? this.length / wholeIn!;
+    const before = this.at;
     if (this.last !== undefined) this.at += (rate * (now - this.last)) / 1000;
     this.last = now;
+    const stop = Math.min(...this.stops.filter((step) => step > before && step <= this.at));
+    if (stop < Infinity) {
+      this.at = stop;
+      this.playing = false;
+    }
     if (this.at >= this.length) {
       this.at = this.length;
       this.playing = false;

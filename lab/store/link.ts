@@ -3,13 +3,22 @@
 
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { plainFrame, type Frame, type Layer, type Registry } from '../engine/types';
-import type { Choice, Exercise, MapDocument, Pace, Place, Recipe, State } from './state';
+import { isQueryLink, readQueryLink } from './query_link';
+import {
+  exercises, notFollowing, type Choice, type Exercise, type Following, type MapDocument, type Pace, type Place, type Recipe, type State,
+} from './state';
 
 /** Addresses longer than this are cut by some programs that people send them with. */
 export const longestLink = 32_000;
 export const mostSide = 4096;
 
-/** What a link says. Without `cells`, the map is its recipe's; with a recipe, they are added to it, modulo 256. */
+/** Columns and rows of a rectangle of obstacles: the first and the last. */
+export type Wall = [left: number, top: number, right: number, bottom: number];
+
+/**
+ * What a link says. Without `cells`, the map is its recipe's; with a recipe, they are added to it, modulo 256. Ends that
+ * are left out are where the recipe has them, and the step is the usual one.
+ */
 export interface Linked {
   name: string;
   width: number;
@@ -17,8 +26,9 @@ export interface Linked {
   frame: Frame;
   recipe?: Recipe;
   cells?: Uint8Array;
-  start: Place;
-  goal: Place;
+  walls?: Wall[];
+  start?: Place;
+  goal?: Place;
   runs: Choice[];
   footprint: string;
   smoother: string;
@@ -27,20 +37,23 @@ export interface Linked {
   arrows: boolean;
   pace: Pace;
   exercise: Exercise;
-  step: number;
+  following: Following;
+  widest: boolean;
+  breakPoint: State['breakPoint'];
+  step: number | null;
 }
 
-const layers: readonly Layer[] = ['', 'expansion', 'g', 'h', 'f', 'cost', 'clearance'];
+export const layers: readonly Layer[] = ['', 'expansion', 'g', 'h', 'f', 'cost', 'clearance'];
 
 /** The text for a state at a step; null if its map is too large for a link. */
 export function linkOf(state: State, step: number): string | null {
   const map = state.map;
   if (!map) return null;
-  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise } = state;
+  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint } = state;
   const bytes = bytesOf(map);
   const head = strToU8(JSON.stringify({
     v: 1, name: map.name, width: map.width, height: map.height, frame: map.frame, recipe: map.recipe,
-    start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise, step,
+    start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint, step,
   }));
   const all = new Uint8Array(4 + head.length + bytes.length);
   new DataView(all.buffer).setUint32(0, head.length);
@@ -61,7 +74,7 @@ function bytesOf(map: MapDocument): Uint8Array {
 /** What a link says, or why it says nothing. */
 export function readLink(text: string, registry: Registry): Linked | string {
   try {
-    return read(text, registry);
+    return isQueryLink(text) ? readQueryLink(text, registry) : read(text, registry);
   } catch (fault) {
     return `This link is damaged or was made by another version: ${fault instanceof Error ? fault.message : String(fault)}`;
   }
@@ -90,7 +103,9 @@ function read(text: string, registry: Registry): Linked {
     footprint: textIn(fields['footprint']), smoother: textIn(fields['smoother']),
     headings: fields['headings'] === true, layer: oneOf(layers, fields['layer']),
     arrows: fields['arrows'] === true, pace: oneOf(['expansions', 'time'] as const, fields['pace']),
-    exercise: oneOf(['', 'next'] as const, fields['exercise'] ?? ''),
+    following: followingIn(fields['following']), widest: fields['widest'] === true,
+    breakPoint: fields['breakPoint'] === undefined || fields['breakPoint'] === null ? null : cellIn(fields['breakPoint']),
+    exercise: oneOf(exercises, fields['exercise'] ?? ''),
     step: wholeIn(fields['step'], 0, 2 ** 32 - 1, 'step'),
   };
 }
@@ -147,12 +162,23 @@ function placeIn(value: unknown): Place {
   const { x, y, heading } = objectIn(value);
   return { x: numberIn(x), y: numberIn(y), heading: numberIn(heading) };
 }
+function cellIn(value: unknown): { x: number; y: number } {
+  const { x, y } = objectIn(value);
+  return { x: wholeIn(x, 0, mostSide, 'break-point'), y: wholeIn(y, 0, mostSide, 'break-point') };
+}
+/** Links from before there was following have none. */
+function followingIn(value: unknown): Following {
+  if (value === undefined) return notFollowing;
+  const { controller, robot, simulation } = objectIn(value);
+  return { controller: textIn(controller), robot: textIn(robot), simulation: textIn(simulation) };
+}
 function frameIn(value: unknown): Frame {
   const fields = objectIn(value);
   const resolution = numberIn(fields['resolution']);
   if (resolution <= 0) throw new Error('its resolution is not above 0');
   return {
     ...plainFrame, resolution, originX: numberIn(fields['originX']), originY: numberIn(fields['originY']),
+    originYaw: numberIn(fields['originYaw'] ?? 0),
     yUp: fields['yUp'] === true, metric: fields['metric'] === true,
   };
 }

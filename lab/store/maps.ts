@@ -1,8 +1,11 @@
 // Map documents from recipes, files and links.
 
-import type { Failure, MapInfo, Registry } from '../engine/types';
+import { obstacle, type Failure, type MapInfo, type Registry } from '../engine/types';
 import type { Linked } from './link';
 import { centreOf, type MapDocument, type Place, type Recipe, type State } from './state';
+
+/** The map that a visitor sees first. */
+export const firstRecipe: Recipe = { generator: 'rooms', options: {}, width: 61, height: 35, seed: 3 };
 
 export type Maker = (recipe: Recipe) => Promise<{ info: MapInfo; cells: Uint8Array } | Failure>;
 
@@ -11,26 +14,33 @@ export async function fromRecipe(recipe: Recipe, registry: Registry, make: Maker
   const made = await make(recipe);
   if ('error' in made) return made;
   const { info, cells } = made;
-  const corner = registry.generators.find(({ name }) => name === recipe.generator)?.freeCorner ?? 1;
   return {
     map: documentOf(`${recipe.generator}, seed ${recipe.seed}`, info, cells, recipe),
-    start: centreOf(corner, corner),
-    goal: centreOf(info.width - 1 - corner, info.height - 1 - corner),
+    ...endsOfRecipe(recipe, registry),
     footprint: 'point',
   };
 }
 
 /** The state of a link, but its step. */
-export async function fromLink(linked: Linked, make: Maker): Promise<Partial<State> | Failure> {
-  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise } = linked;
-  const rest = { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise };
+export async function fromLink(linked: Linked, registry: Registry, make: Maker): Promise<Partial<State> | Failure> {
+  const { runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint } = linked;
+  const rest = { runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint };
   const { recipe, cells, name, width, height, frame } = linked;
-  if (!recipe) return { ...rest, map: documentOf(name, { ...frame, width, height }, cells!) };
+  const ends = { ...(linked.start ? { start: linked.start } : {}), ...(linked.goal ? { goal: linked.goal } : {}) };
+  if (!recipe) return { ...rest, ...ends, map: documentOf(name, { ...frame, width, height }, cells!) };
   const made = await make(recipe);
   if ('error' in made) return made;
   const map = documentOf(name, made.info, made.cells, recipe);
   if (cells) map.cells = made.cells.map((cell, i) => cell + cells[i]!);
-  return { ...rest, map };
+  for (const [left, top, right, bottom] of linked.walls ?? []) {
+    for (let y = top; y <= bottom; ++y) map.cells.fill(obstacle, y * map.width + left, y * map.width + right + 1);
+  }
+  return { ...rest, ...endsOfRecipe(recipe, registry), ...ends, map };
+}
+
+function endsOfRecipe(recipe: Recipe, registry: Registry): { start: Place; goal: Place } {
+  const corner = registry.generators.find(({ name }) => name === recipe.generator)?.freeCorner ?? 1;
+  return { start: centreOf(corner, corner), goal: centreOf(recipe.width - 1 - corner, recipe.height - 1 - corner) };
 }
 
 export function documentOf(name: string, info: MapInfo, cells: Uint8Array, recipe?: Recipe): MapDocument {

@@ -36,9 +36,21 @@ export interface Choice {
   options: Record<string, string>;
 }
 
-export type Tool = 'wall' | 'cost' | 'erase' | 'look';
+export type Tool = 'wall' | 'cost' | 'erase' | 'look' | 'break';
 export type Pace = 'expansions' | 'time';
-export type Exercise = '' | 'next';
+
+/** The exercises of lab/exercises; empty: none. */
+export const exercises = ['', 'next', 'heuristic', 'greedy'] as const;
+export type Exercise = (typeof exercises)[number];
+
+/** How a simulated robot follows the path, as the engine takes it. An empty controller: it does not. */
+export interface Following {
+  controller: string;
+  robot: string;
+  simulation: string;
+}
+
+export const notFollowing: Following = { controller: '', robot: 'robot', simulation: 'simulation' };
 
 export interface State {
   map: MapDocument | null;
@@ -61,6 +73,11 @@ export interface State {
   pace: Pace;
   /** The exercise that the page asks; empty: none. */
   exercise: Exercise;
+  following: Following;
+  /** Is the widest path shown? */
+  widest: boolean;
+  /** A replay stops where this cell is expanded. */
+  breakPoint: { x: number; y: number } | null;
 }
 
 export const initialState: State = {
@@ -78,12 +95,22 @@ export const initialState: State = {
   cost: 5,
   pace: 'expansions',
   exercise: '',
+  following: notFollowing,
+  widest: false,
+  breakPoint: null,
 };
 
 /** "astar:weight=2,heuristic=euclidean", as the command line takes it. */
 export function specOf(name: string, options: Record<string, string>): string {
   const words = Object.entries(options).map(([option, value]) => `${option}=${value}`);
   return words.length === 0 ? name : `${name}:${words.join(',')}`;
+}
+
+/** The words of a spec: "pid:kp=1,ki=2" has the name pid. */
+export function readSpec(spec: string): { name: string; options: Record<string, string> } {
+  const [name, list = ''] = spec.split(/:(.*)/s) as [string, string?];
+  const pairs = list.split(',').filter((pair) => pair.includes('=')).map((pair) => pair.split('=', 2) as [string, string]);
+  return { name, options: Object.fromEntries(pairs) };
 }
 
 export function centreOf(x: number, y: number): Place {

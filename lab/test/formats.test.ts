@@ -8,7 +8,7 @@ import { basename, join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { openFiles } from '../formats/files';
 import { byteOf, readPnm, usualMeaning } from '../formats/image';
-import { readMapYaml } from '../formats/map_yaml';
+import { readMapYaml, writeMapYaml } from '../formats/map_yaml';
 import { readMovingAi, readScenario } from '../formats/moving_ai';
 import { pathCsv } from '../formats/save';
 import { readTextGrid, writeTextGrid } from '../formats/text_grid';
@@ -124,7 +124,18 @@ describe('readers', () => {
 
   test('a path is saved in cells and metres', () => {
     const map = { name: '', width: 4, height: 4, cells: new Uint8Array(16), version: 0,
-      frame: { resolution: 0.5, originX: 1, originY: -1, yUp: true, metric: true } };
+      frame: { resolution: 0.5, originX: 1, originY: -1, originYaw: 0, yUp: true, metric: true } };
     expect(pathCsv(map, Float64Array.of(0.5, 1.5, 0))).toBe('x,y,heading,x_m,y_m\n0.5,1.5,0,1.25,-0.25\n');
+  });
+
+  test("the origin's angle of a map.yaml turns metres", () => {
+    const text = 'image: m.pgm\nresolution: 0.5\norigin: [1, -1, 1.5707963267948966]\n';
+    const { frame } = readMapYaml(text, 'f');
+    const map = { name: '', width: 4, height: 4, cells: new Uint8Array(16), version: 0, frame };
+    const [, row] = pathCsv(map, Float64Array.of(0.5, 1.5, 0)).split('\n');
+    const [, , , x, y] = row!.split(',').map(Number);
+    expect(x).toBeCloseTo(1 - 0.75, 12);
+    expect(y).toBeCloseTo(-1 + 0.25, 12);
+    expect(readMapYaml(writeMapYaml('m.pgm', frame), 'f').frame).toEqual(frame);
   });
 });

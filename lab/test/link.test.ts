@@ -4,7 +4,7 @@ import { deflateSync, strToU8 } from 'fflate';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { plainFrame, type Registry } from '../engine/types';
 import { linkOf, longestLink, readLink, type Linked } from '../store/link';
-import { initialState, type MapDocument, type State } from '../store/state';
+import { initialState, notFollowing, type MapDocument, type State } from '../store/state';
 import { newEngine, randomFrom } from './engine';
 
 let registry: Registry;
@@ -34,6 +34,8 @@ function stateOf(seed: number): State {
   return {
     ...initialState, map, runs, start: place(), goal: place(), headings: random() < 0.5, arrows: random() < 0.5,
     layer: pick(['', 'g', 'cost'] as const), pace: pick(['expansions', 'time'] as const), exercise: pick(['', 'next'] as const),
+    following: pick([notFollowing, { controller: 'pid:heading_gain=2', robot: 'robot:speed=1', simulation: 'simulation' }]),
+    widest: random() < 0.5, breakPoint: pick([null, { x: 3, y: 4 }]),
     footprint: pick(['point', 'disc:0.3']), smoother: pick(['', 'gradient:beta=0.4']),
   };
 }
@@ -53,6 +55,7 @@ describe('links', () => {
         name: state.map!.name, frame: state.map!.frame, start: state.start, goal: state.goal, runs: state.runs,
         footprint: state.footprint, smoother: state.smoother, headings: state.headings, layer: state.layer,
         arrows: state.arrows, pace: state.pace, exercise: state.exercise, step: seed,
+        following: state.following, widest: state.widest, breakPoint: state.breakPoint,
       });
       expect(cellsOf(linked, state.map!.original), `seed ${seed}`).toEqual(state.map!.cells);
     }
@@ -104,6 +107,29 @@ describe('links', () => {
       [{ ...head, frame: { ...plainFrame, resolution: 0 } }, /resolution/], [{ ...head, recipe: { generator: 'x' } }, /kind of map/],
     ];
     for (const [each, reason] of wrong) expect(readLink(coded(each), registry), JSON.stringify(each)).toMatch(reason);
+  });
+
+  test('are written by hand too', () => {
+    const text = 'map=random:density=0&size=24x14&seed=2&wall=10,2,10,9&start=3,4&goal=20,7&planner=astar:weight=2,heuristic=zero&planner=bfs' +
+      '&layer=g&pace=time&robot=disc:0.4&step=7';
+    expect(readLink(text, registry)).toMatchObject({
+      name: 'random, seed 2', width: 24, height: 14, recipe: { generator: 'random', options: { density: '0' }, width: 24, height: 14, seed: 2 },
+      walls: [[10, 2, 10, 9]], start: { x: 3.5, y: 4.5 }, goal: { x: 20.5, y: 7.5 }, layer: 'g', pace: 'time', footprint: 'disc:0.4', step: 7,
+      runs: [{ planner: 'astar', options: { weight: '2', heuristic: 'zero' } }, { planner: 'bfs', options: {} }],
+    });
+    expect(readLink('exercise=next', registry)).toMatchObject({ exercise: 'next', step: 1, runs: [{ planner: 'astar' }], width: 41 });
+    expect(readLink('exercise=greedy', registry)).toMatchObject({ runs: [{ planner: 'greedy' }, { planner: 'astar' }], step: null });
+  });
+
+  test('written by hand are refused with what is wrong', () => {
+    const wrong: [string, RegExp][] = [
+      ['map=x', /kind of map: x/], ['map=maze:x=1', /unknown option: x/], ['maps=1', /unknown part: maps/], ['size=9', /its size/], ['size=9999x9', /its size/],
+      ['size=0x9', /its size/], ['seed=-1', /its seed/], ['seed=1e3', /its seed/], ['planner=x', /unknown planner/], ['planner=astar:weight', /option=value/],
+      ['planner=astar:weight=', /option=value/], ['planner=astar:x=1', /unknown option/], [Array(5).fill('planner=bfs').join('&'), /more than four/],
+      ['start=50,2', /start is not on the map/], ['goal=1', /goal must be 2/], ['wall=1,1,0,1', /wall 1,1,0,1/], ['wall=1,1,99,1', /not on the map/],
+      ['layer=x', /layer is unknown/], ['exercise=x', /exercise is unknown/], ['pace=x', /pace is unknown/], ['step=x', /its step/],
+    ];
+    for (const [text, reason] of wrong) expect(readLink(text, registry), text).toMatch(reason);
   });
 
   test('cannot ask for much memory', () => {

@@ -123,6 +123,29 @@ describe('the page', () => {
     await page.getByText('Cell (1, 2)').waitFor();
   });
 
+  test('draws no chain of a search that is gone', async () => {
+    const chain = () => page.locator('lab-map').evaluate((view) => [...(view as unknown as { info: { chain: Float64Array } | null }).info?.chain ?? []]);
+    const cell = await pixelOf(57, 33);
+    await page.mouse.move(cell.x, cell.y);
+    await page.getByText('Cell (57, 33)').waitFor();
+    await page.getByText(/^expanded as number/).waitFor();
+    const before = await chain();
+    expect(before.length).toBeGreaterThan(9);
+    await page.getByLabel('Seed').fill('9');
+    await page.getByLabel('Seed').press('Enter');
+    await page.getByText('rooms, seed 9').waitFor();
+    await expect.poll(chain).not.toEqual(before);
+    // The pointer stays where it is.
+    await page.getByLabel('Seed').evaluate((field) => (field as HTMLElement).blur());
+    await page.keyboard.press('Control+z');
+    await expect.poll(chain).toEqual(before);
+    await page.getByLabel('Columns').fill('30');
+    await page.getByLabel('Columns').press('Enter');
+    // That cell is not on the map now.
+    await page.getByText('Cell (57, 33)').waitFor({ state: 'detached' });
+    expect(await chain()).toEqual([]);
+  });
+
   test('is worked by keyboard alone', async () => {
     await page.locator('lab-map canvas').last().focus();
     for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
@@ -199,7 +222,10 @@ describe('the page', () => {
 
   test('plans for discs and polygons, and for cars', async () => {
     await page.getByLabel('Shape').selectOption('disc');
-    await page.getByText(/^astar: The start .* is blocked/).waitFor({ state: 'attached' });
+    // Both ends move to where it fits; back at the wall it does not.
+    await page.getByText(/^astar: found/).waitFor({ state: 'attached' });
+    await drag([59, 33], [59, 34]);
+    await page.getByText(/^astar: The goal .* is blocked/).waitFor({ state: 'attached' });
     await page.getByLabel('Radius').fill('0.5');
     await page.getByLabel('Radius').press('Enter');
     await page.getByText(/^astar: found/).waitFor({ state: 'attached' });
@@ -253,7 +279,7 @@ describe('the page', () => {
   });
 
   for (const [button, ending, begin] of [
-    ['Save map', '.txt', '#'], ['Path CSV', '.csv', 'x,y,heading'], ['PNG', '.png', '\x89PNG'], ['SVG', '.svg', '<svg'],
+    ['Save map', '.txt', '#'], ['Path CSV', '.csv', 'x,y,heading'], ['PNG', '.png', '\x89PNG'], ['SVG', '.svg', '<svg'], ['GIF', '.gif', 'GIF89a'], ['Posthoc trace', '.trace.json', '{"version":"1.4.0"'],
   ] as const) {
     test(`saves by ${button}`, async () => {
       const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: button, exact: true }).click()]);
@@ -261,6 +287,56 @@ describe('the page', () => {
       expect((await readFile(await download.path())).toString('latin1').startsWith(begin)).toBe(true);
     });
   }
+
+  test('draws charts of the searches, and of random queries', async () => {
+    await page.getByRole('button', { name: 'Compare with another planner' }).click();
+    await page.getByText('dijkstra: found').waitFor({ state: 'attached' });
+    expect(await page.locator('lab-charts i').count()).toBe(6);
+    await page.getByLabel('Random queries').fill('40');
+    await page.getByLabel('Random queries').press('Enter');
+    await page.getByRole('button', { name: 'Ask them' }).click();
+    await page.getByText('40 random queries are answered.').waitFor({ state: 'attached' });
+    await page.getByRole('img', { name: /^Expansions of astar, dijkstra for 40 random queries/ }).waitFor();
+    expect(await page.locator('lab-charts .stack > table tbody tr').count()).toBe(2);
+    await page.getByLabel('Show of each query').selectOption('Time');
+    await page.getByRole('img', { name: /^Time of/ }).waitFor();
+  });
+
+  test('stops where the break-point is expanded', async () => {
+    await page.getByRole('radio', { name: 'Break-point' }).click();
+    const cell = await pixelOf(25, 30);
+    await page.mouse.click(cell.x, cell.y);
+    await page.mouse.move(cell.x + 1, cell.y);
+    const expansion = Number(/expanded as number (\d+)/.exec((await page.getByText(/^expanded as number/).textContent())!)![1]);
+    await page.getByRole('combobox', { name: 'Speed' }).selectOption('all in 3 s');
+    await page.getByRole('button', { name: 'Play' }).click();
+    await page.getByRole('button', { name: 'Play' }).waitFor();
+    expect(await slider().inputValue()).toBe(String(expansion));
+    await page.mouse.click(cell.x, cell.y);
+    await page.getByRole('button', { name: 'Play' }).click();
+    await expect.poll(() => slider().inputValue(), { timeout: 8000 }).toBe('540');
+  });
+
+  test('drives a robot along the path, with gains on sliders', async () => {
+    await page.getByLabel('Controller').selectOption('pure_pursuit');
+    const told = page.getByText(/^The robot reached the goal after/);
+    await told.waitFor();
+    const before = await told.textContent();
+    await page.getByRole('img', { name: /^Distance of the robot from the path/ }).waitFor();
+    await page.getByRole('slider', { name: /^Lookahead:/ }).fill('0.8');
+    await expect.poll(() => told.textContent()).not.toBe(before);
+    await page.getByRole('button', { name: 'Drive' }).click();
+    await expect.poll(() => page.getByRole('slider', { name: 'Moment of the drive' }).inputValue()).not.toBe('0');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect.poll(() => told.textContent()).toBe(before);
+    await page.getByLabel('Controller').selectOption('');
+    await told.waitFor({ state: 'detached' });
+  });
+
+  test('shows the widest path', async () => {
+    await page.getByLabel('Show the widest path').check();
+    await page.getByText(/^A disc of radius 0.5 cells gets through, a larger one does not/).waitFor();
+  });
 
   test('asks what is expanded next, and keeps score', async () => {
     await page.getByRole('button', { name: 'What is expanded next?' }).click();
@@ -275,6 +351,35 @@ describe('the page', () => {
     await page.getByText('1 of 2 right').waitFor();
     await page.getByRole('button', { name: 'End the exercise' }).click();
     await page.getByRole('button', { name: 'What is expanded next?' }).waitFor();
+  });
+
+  test('asks which heuristic it is, without telling', async () => {
+    await page.goto(`${opened.address}#map=rooms&size=41x21&seed=3&planner=astar:heuristic=zero&exercise=heuristic`);
+    await page.getByText('which one was it?').waitFor();
+    expect(await page.getByLabel('Algorithm').count()).toBe(0);
+    await page.getByRole('button', { name: 'Manhattan' }).click();
+    await page.getByText('0 of 1 right').waitFor();
+    await page.getByRole('button', { name: 'Zero' }).click();
+    await page.getByText('1 of 2 right').waitFor();
+    await page.getByText(/^Right: zero\./).first().waitFor();
+    await page.getByRole('button', { name: 'Another heuristic' }).click();
+    await page.getByRole('button', { name: 'Octile' }).waitFor();
+    await page.getByRole('button', { name: 'End the exercise' }).click();
+    expect(await page.getByLabel('Algorithm').count()).toBe(1);
+  });
+
+  test('lets a visitor break greedy with a wall', async () => {
+    await page.goto(`${opened.address}#map=random:density=0&size=41x21&start=5,10&goal=35,10&exercise=greedy`);
+    await page.getByText('Greedy pays 1.00 times the cheapest.').first().waitFor();
+    await drag([30, 1], [30, 19]);
+    await page.getByText(/Greedy pays 1\.\d+ times the cheapest. 19 of 40 cells changed/).first().waitFor();
+    await drag([29, 1], [12, 1]);
+    await page.getByText(/37 of 40 cells changed/).first().waitFor();
+    await page.getByRole('button', { name: 'Link to this exercise' }).click();
+    await page.getByText(/^The link is/).waitFor({ state: 'attached' });
+    await page.goto('about:blank');
+    await page.goBack();
+    await page.getByText('0 of 40 cells changed').first().waitFor();
   });
 
   for (const colorScheme of ['light', 'dark'] as const) {
@@ -312,7 +417,7 @@ describe('the page', () => {
 
   test('names the licences of what it contains', async () => {
     await page.getByRole('link', { name: 'Licences' }).click();
-    for (const name of ['lit ', 'fflate ', 'wasi-libc', 'libc\\+\\+']) {
+    for (const name of ['lit ', 'fflate ', 'uplot ', 'wasi-libc', 'libc\\+\\+']) {
       expect(await page.getByRole('heading', { name: new RegExp(`^${name}`) }).count()).toBeGreaterThan(0);
     }
   });

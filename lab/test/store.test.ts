@@ -102,6 +102,26 @@ describe('the clock', () => {
     expect(clock.step).toBe(0);
   });
 
+  test('stops at each of its stops, and goes on from there', () => {
+    const clock = new Clock();
+    clock.restart(1000, true);
+    clock.setSpeed(4);
+    clock.stops = [250, 600];
+    clock.tick(0);
+    clock.tick(7000);
+    expect([clock.step, clock.playing]).toEqual([250, false]);
+    clock.toggle();
+    clock.tick(7000);
+    clock.tick(8000);
+    expect([clock.step, clock.playing]).toEqual([375, true]);
+    clock.tick(12000);
+    expect([clock.step, clock.playing]).toEqual([600, false]);
+    clock.toggle();
+    clock.tick(0);
+    clock.tick(9000);
+    expect([clock.step, clock.playing]).toEqual([1000, false]);
+  });
+
   test('moves one step at a time, within the search', () => {
     const clock = new Clock();
     clock.restart(2, false);

@@ -53,22 +53,23 @@ export class Brush {
     const map = this.store.state.map;
     if (!map) return;
     const fresh: number[] = [];
-    for (const cell of cells) {
-      for (const index of this.around(map, cell)) {
-        if (this.painted.has(index) || map.cells[index] === this.byte) continue;
-        this.painted.set(index, map.cells[index]!);
-        fresh.push(index);
-      }
-    }
+    for (const cell of cells) this.paintAround(map, cell, fresh);
     if (fresh.length === 0) return;
     this.store.paint(Uint32Array.from(fresh), new Uint8Array(fresh.length).fill(this.byte));
   }
 
-  private *around(map: MapDocument, cell: Point): Generator<number> {
-    const reach = Math.floor(this.size / 2);
-    for (let y = cell.y - reach; y < cell.y - reach + this.size; ++y) {
-      for (let x = cell.x - reach; x < cell.x - reach + this.size; ++x) {
-        if (x >= 0 && y >= 0 && x < map.width && y < map.height) yield y * map.width + x;
+  /** Notes the cells around one that are not painted yet. */
+  private paintAround(map: MapDocument, cell: Point, fresh: number[]): void {
+    const left = cell.x - Math.floor(this.size / 2);
+    const top = cell.y - Math.floor(this.size / 2);
+    const right = Math.min(left + this.size, map.width);
+    const below = Math.min(top + this.size, map.height);
+    for (let y = Math.max(top, 0); y < below; ++y) {
+      for (let x = Math.max(left, 0); x < right; ++x) {
+        const index = y * map.width + x;
+        if (map.cells[index] === this.byte || this.painted.has(index)) continue;
+        this.painted.set(index, map.cells[index]!);
+        fresh.push(index);
       }
     }
   }

@@ -20,13 +20,19 @@ export interface Ground {
   point(cell: Point | null, keyboard: boolean): void;
   /** A cell is the answer to an exercise. */
   answer(cell: Point): void;
-  /** Ends are being dragged, or no longer. */
+  /** Ends or a brush are being dragged, or no longer. */
   drag(active: boolean): void;
 }
 
 const arrows: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1],
 };
+
+/** Sets the break-point on a cell, or takes it away. */
+export function toggleBreakPoint(store: Store, { x, y }: Point): void {
+  const { breakPoint } = store.state;
+  store.set({ breakPoint: breakPoint?.x === x && breakPoint.y === y ? null : { x, y } });
+}
 
 export class Hand {
   private readonly touches = new Map<number, Point>();
@@ -41,7 +47,7 @@ export class Hand {
     this.touches.set(event.pointerId, pixel);
     if (this.touches.size > 1) return this.beginPan();
     const { store } = this.ground;
-    if (store.state.exercise !== '' && event.button === 0) {
+    if (store.state.exercise === 'next' && event.button === 0) {
       const cell = this.cellAt(pixel);
       if (cell) this.ground.answer(cell);
       return;
@@ -54,7 +60,10 @@ export class Hand {
       this.panning = true;
     } else {
       const cell = this.cellAt(pixel);
-      if (cell) this.brush = this.brushAt(cell);
+      if (!cell) return;
+      if (store.state.tool === 'break') return toggleBreakPoint(store, cell);
+      this.ground.drag(true);
+      this.brush = this.brushAt(cell);
     }
   }
 
@@ -64,7 +73,7 @@ export class Hand {
     this.touches.set(event.pointerId, pixel);
     if (this.touches.size > 1) return this.pinch(event.pointerId, before, pixel);
     const cell = this.cellAt(pixel);
-    if (this.end && cell) this.ground.store.set({ [this.end.which]: centreOf(cell.x, cell.y) });
+    if (this.end && cell) this.moveEnd(this.end.which, cell);
     if (this.brush && cell) this.brush.moveTo(cell);
     if (this.panning) {
       this.ground.camera.pan(pixel.x - before.x, pixel.y - before.y);
@@ -74,8 +83,7 @@ export class Hand {
 
   up(event: PointerEvent): void {
     this.touches.delete(event.pointerId);
-    this.brush?.end();
-    this.brush = null;
+    this.endStroke();
     this.panning = false;
     const end = this.end;
     this.end = null;
@@ -105,11 +113,16 @@ export class Hand {
       cell.y = Math.min(Math.max(cell.y + step * dy, 0), map.height - 1);
       camera.reveal(map, { x: cell.x + 0.5, y: cell.y + 0.5 }, size.width, size.height);
       this.ground.moved();
+    } else if (event.key === 'b') {
+      toggleBreakPoint(store, cell);
     } else if (event.key === ' ' || event.key === 'Enter') {
-      if (store.state.exercise === '') this.brushAt(cell)?.end();
-      else this.ground.answer({ ...cell });
+      if (store.state.exercise === 'next') this.ground.answer({ ...cell });
+      else this.brushAt(cell)?.end();
     } else if (event.key === 's' || event.key === 'g') {
-      store.commit({ [event.key === 's' ? 'start' : 'goal']: centreOf(cell.x, cell.y) });
+      const end: End = event.key === 's' ? 'start' : 'goal';
+      const before = { [end]: store.state[end] };
+      this.moveEnd(end, cell);
+      store.commitSince(before);
     } else if (event.key === '+' || event.key === '-') {
       camera.zoomAt({ x: size.width / 2, y: size.height / 2 }, event.key === '+' ? 1.25 : 0.8);
       this.ground.moved();
@@ -123,9 +136,15 @@ export class Hand {
     return true;
   }
 
+  /** Moves an end to a cell, without a step to undo. Its heading stays. */
+  private moveEnd(end: End, { x, y }: Point): void {
+    const { store } = this.ground;
+    store.set({ [end]: { ...centreOf(x, y), heading: store.state[end].heading } });
+  }
+
   private brushAt(cell: Point): Brush | null {
     const { map, tool, cost, brush } = this.ground.store.state;
-    if (!map || tool === 'look') return null;
+    if (!map || tool === 'look' || tool === 'break') return null;
     // A wall that is touched goes away: one tool is enough to play.
     const wallAlready = tool === 'wall' && map.cells[cell.y * map.width + cell.x] === obstacle;
     return new Brush(this.ground.store, wallAlready ? 1 : byteOf(tool, cost), brush, cell);
@@ -151,9 +170,15 @@ export class Hand {
   }
 
   private beginPan(): void {
-    this.brush?.end();
-    this.brush = null;
+    this.endStroke();
     this.panning = false;
+  }
+
+  private endStroke(): void {
+    if (!this.brush) return;
+    this.brush.end();
+    this.brush = null;
+    this.ground.drag(false);
   }
 
   /** Two fingers: what lay under them stays under them. */

@@ -1,6 +1,8 @@
 // <lab-map>: the map and one search on it, on two canvases: cells, which the engine paints, and lines above.
 
 import { css, html, LitElement } from 'lit';
+import type { Engine } from '../engine/engine';
+import type { Extras } from '../engine/extras';
 import type { Runner } from '../engine/runner';
 import type { CellInfo, Window } from '../engine/types';
 import type { Clock } from '../store/clock';
@@ -22,6 +24,7 @@ export class MapView extends LitElement implements Ground {
     :host { position: relative; display: block; overflow: hidden; min-width: 0; min-height: 0; }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; image-rendering: pixelated; }
     canvas + canvas { touch-action: none; cursor: crosshair; outline-offset: -3px; }
+    .embedded { touch-action: pan-y !important; }
     canvas + canvas:focus-visible { outline: 3px solid var(--accent); }
   `;
   static override properties = {
@@ -36,6 +39,10 @@ export class MapView extends LitElement implements Ground {
   colours!: Colours;
   /** Does its planner know headings? */
   headings = false;
+  /** On a page of other things: the wheel scrolls that page, and zooms with Ctrl only. */
+  embedded = false;
+  /** Of the first search; null for others. */
+  extras: Extras | null = null;
   /** The replay's step for this search, from the clock. */
   stepOf: () => number = () => this.clock.step;
 
@@ -43,9 +50,14 @@ export class MapView extends LitElement implements Ground {
   private painting = false;
   private stale = true;
   private paletteOf: Colours | null = null;
+  private paletteEngine: Engine | null = null;
   private cursor: Point | null = null;
   private keyboard = false;
   private info: CellInfo | null = null;
+  /** Which answer of the runner is drawn. */
+  shown = -1;
+  private infoVersion = -1;
+  private infoCells: Uint8Array | undefined;
   private parents: Uint32Array | null = null;
   private parentsVersion = -1;
   private observer = new ResizeObserver(() => this.resized());
@@ -62,10 +74,10 @@ export class MapView extends LitElement implements Ground {
   override render() {
     return html`
       <canvas aria-hidden="true"></canvas>
-      <canvas tabindex="0" role="application" aria-label=${this.label} aria-roledescription="map"
+      <canvas class=${this.embedded ? 'embedded' : ''} tabindex="0" role="application" aria-label=${this.label} aria-roledescription="map"
         @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up}
         @pointerleave=${() => this.point(null, false)} @keydown=${this.key}
-        @wheel=${(event: WheelEvent) => this.hand.wheel(event, this.pixelOf(event))}
+        @wheel=${this.wheel}
         @contextmenu=${(event: Event) => event.preventDefault()}></canvas>`;
   }
 
@@ -115,7 +127,10 @@ export class MapView extends LitElement implements Ground {
 
   private async ask(): Promise<void> {
     const cell = this.cursor;
+    const { version } = this.runner;
     this.info = null;
+    this.infoVersion = version;
+    this.infoCells = this.store.state.map?.cells;
     if (cell && this.store.state.map) {
       const info = await this.runner.engine.call('cell', cell.x, cell.y);
       if (cell !== this.cursor) return;
@@ -124,6 +139,14 @@ export class MapView extends LitElement implements Ground {
     const detail: Pointed | null = cell && this.info ? { cell, info: this.info, runner: this.runner } : null;
     this.dispatchEvent(new CustomEvent('pointed', { detail }));
     this.refresh();
+  }
+
+  /** What is known of the cell under the pointer belongs to a search: another one is asked again. */
+  private askAgain(): void {
+    if (!this.cursor) return;
+    const otherMap = this.infoCells !== this.store.state.map?.cells;
+    if (otherMap) this.info = null;
+    if (otherMap || this.infoVersion !== this.runner.version) void this.ask();
   }
 
   private canvases(): [HTMLCanvasElement, HTMLCanvasElement] | null {
@@ -154,33 +177,59 @@ export class MapView extends LitElement implements Ground {
     const { width, height } = this.size;
     const map = state.map;
     if (!canvases || !map || width === 0 || height === 0) return;
-    if (this.paletteOf !== this.colours) {
+    if (this.paletteOf !== this.colours || this.paletteEngine !== this.runner.engine) {
       this.paletteOf = this.colours;
+      this.paletteEngine = this.runner.engine;
       void this.runner.engine.call('setPalette', paletteOf(this.colours));
     }
-    const camera = this.camera.copy();
+    this.askAgain();
     const ratio = Math.min(devicePixelRatio, 2);
+    const [cells, lines] = canvases;
+    const began = performance.now();
+    const { version } = this.runner;
+    const camera = this.camera.copy();
+    const pixels = await this.pixelsAt(camera, this.stepOf(), ratio);
+    this.dataset['paint'] = (performance.now() - began).toFixed(1);
+    await this.fetchParents(state);
+    size(cells, pixels);
+    cells.getContext('2d', { alpha: false })!.putImageData(pixels, 0, 0);
+    size(lines, pixels);
+    const context = lines.getContext('2d')!;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    this.drawLines(context, camera, this.stepOf());
+    this.shown = version;
+  }
+
+  /** What the view shows at a step, at one pixel a point of the screen; null if there is nothing. */
+  async frame(step: number): Promise<ImageData | null> {
+    const { width, height } = this.size;
+    if (!this.store.state.map || width === 0 || height === 0) return null;
+    const canvas = new OffscreenCanvas(width, height);
+    const context = canvas.getContext('2d', { willReadFrequently: true })!;
+    const camera = this.camera.copy();
+    context.putImageData(await this.pixelsAt(camera, step, 1), 0, 0);
+    this.drawLines(context as unknown as CanvasRenderingContext2D, camera, step);
+    return context.getImageData(0, 0, width, height);
+  }
+
+  private async pixelsAt(camera: Camera, step: number, ratio: number): Promise<ImageData> {
+    const { width, height } = this.size;
     const window: Window = {
       width: Math.round(width * ratio), height: Math.round(height * ratio),
       left: camera.left, top: camera.top, cells: 1 / (camera.zoom * ratio),
     };
-    const began = performance.now();
-    const pixels = await this.runner.engine.call('paint', window, this.stepOf());
-    this.dataset['paint'] = (performance.now() - began).toFixed(1);
-    await this.fetchParents(state);
-    const [cells, lines] = canvases;
-    size(cells, window);
-    cells.getContext('2d', { alpha: false })!.putImageData(new ImageData(pixels, window.width, window.height), 0, 0);
-    size(lines, window);
-    const context = lines.getContext('2d')!;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
-    const outcome = this.runner.outcome;
-    const over = outcome && this.stepOf() >= outcome.steps;
+    return new ImageData(await this.runner.engine.call('paint', window, step), window.width, window.height);
+  }
+
+  private drawLines(context: CanvasRenderingContext2D, camera: Camera, step: number): void {
+    const { state } = this.store;
+    const { outcome } = this.runner;
+    const over = outcome && step >= outcome.steps;
     drawOverlay(context, {
-      state, map, camera, colours: this.colours, path: over ? outcome.path : null,
+      state, map: state.map!, camera, size: this.size, colours: this.colours, path: over ? outcome.path : null,
       chain: this.info?.chain ?? null, parents: state.arrows ? this.parents : null,
-      cursor: this.cursor, keyboard: this.keyboard, headings: this.headings,
+      cursor: this.cursor, keyboard: this.keyboard, headings: this.headings, extras: this.extras,
     });
   }
 
@@ -206,12 +255,15 @@ export class MapView extends LitElement implements Ground {
   private up(event: PointerEvent): void {
     this.hand.up(event);
   }
+  private wheel(event: WheelEvent): void {
+    if (!this.embedded || event.ctrlKey) this.hand.wheel(event, this.pixelOf(event));
+  }
   private key(event: KeyboardEvent): void {
     if (this.hand.key(event)) event.preventDefault();
   }
 }
 
-function size(canvas: HTMLCanvasElement, { width, height }: Window): void {
+function size(canvas: HTMLCanvasElement, { width, height }: ImageData): void {
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
 }

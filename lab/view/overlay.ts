@@ -1,7 +1,9 @@
 // The vector picture above the cells: path, ends, arrows to parents, the chain of a cell, the cursor.
 
+import type { Extras } from '../engine/extras';
 import type { MapDocument, State } from '../store/state';
 import { Camera, type Point } from './camera';
+import { drawBreakPoint, drawExtras } from './extras';
 import { drawFootprint, drawHeading } from './footprint';
 import type { Colours } from './palette';
 
@@ -9,6 +11,7 @@ export interface Overlay {
   state: State;
   map: MapDocument;
   camera: Camera;
+  size: { width: number; height: number };
   colours: Colours;
   path: Float64Array | null;
   chain: Float64Array | null;
@@ -18,6 +21,8 @@ export interface Overlay {
   keyboard: boolean;
   /** Does the planner know headings? */
   headings: boolean;
+  /** Of the first search. */
+  extras: Extras | null;
 }
 
 export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay): void {
@@ -37,6 +42,8 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay)
   const length = 2.2 * markSize(camera);
   if (overlay.headings) drawHeading(context, camera, map, state.start, length, colours.start);
   if (overlay.headings && state.headings) drawHeading(context, camera, map, state.goal, length, colours.goal);
+  if (overlay.extras) drawExtras(context, camera, map, state, colours, overlay.extras);
+  drawBreakPoint(context, camera, map, state, colours);
   if (overlay.cursor) drawCursor(context, overlay, overlay.cursor);
   drawEnd(context, camera.pixelOf(map, state.start), markSize(camera), colours.start, colours.halo, 'S');
   drawEnd(context, camera.pixelOf(map, state.goal), markSize(camera), colours.goal, colours.halo, 'G');
@@ -92,10 +99,9 @@ function drawCursor(context: CanvasRenderingContext2D, { camera, map, colours, k
   context.strokeRect(corner.x, corner.y, Math.max(camera.zoom, 4), Math.max(camera.zoom, 4));
 }
 
-function drawArrows(context: CanvasRenderingContext2D, { camera, map, colours }: Overlay, parents: Uint32Array): void {
+function drawArrows(context: CanvasRenderingContext2D, { camera, map, colours, size: { width, height } }: Overlay, parents: Uint32Array): void {
   const least = 7;  // pixels: smaller arrows cannot be read
   if (camera.zoom < least) return;
-  const { width, height } = context.canvas.getBoundingClientRect();
   context.strokeStyle = colours.ink;
   context.lineWidth = 1;
   context.beginPath();

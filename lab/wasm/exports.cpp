@@ -51,9 +51,9 @@ WEND_LAB_EXPORT(text_size) std::size_t lab_text_size() { return output().size();
 WEND_LAB_EXPORT(registry) void lab_registry() { output() = wend::lab::registry_text(); }
 
 WEND_LAB_EXPORT(load)
-void lab_load(int width, int height, double resolution, double origin_x, double origin_y, bool y_up,
-              bool metric) {
-  const wend::Frame frame{resolution, {origin_x, origin_y, 0}, y_up, metric};
+void lab_load(int width, int height, double resolution, double origin_x, double origin_y,
+              double origin_yaw, bool y_up, bool metric) {
+  const wend::Frame frame{resolution, {origin_x, origin_y, origin_yaw}, y_up, metric};
   const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   output() = lab().load({input_bytes(), size}, width, height, frame);
 }
@@ -89,6 +89,27 @@ void lab_plan(std::size_t planner, std::size_t smoother, double start_x, double 
                          .smoother = std::string_view(names).substr(planner)});
 }
 
+WEND_LAB_EXPORT(places)
+void lab_places(double start_x, double start_y, double start_heading, double goal_x, double goal_y,
+                double goal_heading, bool headings) {
+  output() =
+      lab().places({start_x, start_y, start_heading}, {goal_x, goal_y, goal_heading}, headings);
+}
+
+WEND_LAB_EXPORT(widest)
+void lab_widest(double start_x, double start_y, double goal_x, double goal_y) {
+  output() = lab().widest({start_x, start_y}, {goal_x, goal_y});
+}
+
+/// The input has the controller, then the robot, then the simulation.
+WEND_LAB_EXPORT(drive)
+void lab_drive(std::size_t controller, std::size_t robot, std::size_t simulation) {
+  const std::string names(input_text(0, controller + robot + simulation));
+  const std::string_view text(names);
+  output() = lab().drive(text.substr(0, controller), text.substr(controller, robot),
+                         text.substr(controller + robot));
+}
+
 WEND_LAB_EXPORT(cell) void lab_cell(int x, int y) { output() = lab().cell({x, y}); }
 
 WEND_LAB_EXPORT(show) void lab_show(std::size_t text) {
@@ -112,4 +133,9 @@ WEND_LAB_EXPORT(expanded_at) std::uint32_t lab_expanded_at(std::uint32_t step) {
   return lab().replay().expanded_at(step);
 }
 WEND_LAB_EXPORT(expansion) const void* lab_expansion() { return lab().replay().expansion().data(); }
+WEND_LAB_EXPORT(generation) const void* lab_generation() {
+  return lab().replay().generation().data();
+}
+/// g, h and f of each cell.
+WEND_LAB_EXPORT(known) const void* lab_known() { return lab().replay().known().data(); }
 WEND_LAB_EXPORT(parents) const void* lab_parents() { return lab().replay().parent().data(); }

@@ -16,6 +16,7 @@ namespace wend::lab {
 namespace {
 
 constexpr double kTurnOfALine = 0.1;  // radians
+constexpr std::size_t kMostCellsOfIndex = 40'000;
 
 /// One entry of a list: "astar:weight=2".
 Expected<OptionSpec, Error> spec_of(std::string_view text, std::string_view kind,
@@ -68,6 +69,7 @@ std::string Lab::map_text() const {
       .field("resolution", frame_.resolution)
       .field("originX", frame_.origin.x)
       .field("originY", frame_.origin.y)
+      .field("originYaw", frame_.origin.heading)
       .field("yUp", frame_.y_up)
       .field("metric", frame_.metric)
       .end_object()
@@ -76,6 +78,7 @@ std::string Lab::map_text() const {
 
 std::string Lab::edit(std::span<const CellByte> changes) {
   MapEdit edit;
+  std::vector<std::uint32_t> changed;
   for (const auto& [index, byte] : changes) {
     if (index >= cells_.size()) {
       return error_text({Status::invalid_map, "a cell of the edit is not on the map"});
@@ -86,11 +89,12 @@ std::string Lab::edit(std::span<const CellByte> changes) {
                           state_of(value),
                           cost_of(value)});
     cells_[index] = value;
+    changed.push_back(index);
   }
   const auto change = session_.edit(edit);
   if (!change) return error_text(change.error());
-  pyramid_.set_map(cells_, width_, height_);
-  find_fits();
+  pyramid_.update(cells_, width_, height_, std::move(changed));
+  find_fits(*change);
   forget_search();
   return map_text();
 }
@@ -120,10 +124,23 @@ void Lab::find_fits() {
   }
 }
 
+void Lab::find_fits(const SpaceChange& change) {
+  const auto view = session_.view();
+  if (change.everything || fits_.empty() || !view) return find_fits();
+  for (const CellBox& box : change.boxes) {
+    for (int y = box.begin.y; y < box.end.y; ++y) {
+      for (int x = box.begin.x; x < box.end.x; ++x) {
+        fits_[static_cast<std::size_t>(y * width_ + x)] = view->space.passable(Cell{x, y}) ? 1 : 0;
+      }
+    }
+  }
+}
+
 void Lab::forget_search() {
   replay_.begin(0, 0, 0);
   pyramid_.set_replay(replay_);
   points_.clear();
+  path_.reset();
   values_ = {};
 }
 
@@ -150,13 +167,34 @@ std::string Lab::plan(const Task& task) {
     replay_.begin(width_, height_, unit_of(session_, request.planner));
     request.observer = &replay_;
   }
-  const auto answer = session_.plan(request);
+  const auto answer = answer_to(request);
   if (task.record) pyramid_.set_replay(replay_);
   goal_ = cell_at(task.goal.point());
   if (!answer) return failure_text(answer.error(), replay_.steps());
   if (answer->moves) moves_ = *answer->moves;
-  put(answer->path());
+  path_ = answer->path();
+  put(*path_);
   return plan_text(*answer, replay_.steps());
+}
+
+Expected<PlanAnswer, RequestFailure> Lab::answer_to(const PlanRequest& request) {
+  auto answer = session_.plan(request);
+  if (answer) return answer;
+  const Status status = answer.error().status;
+  if (status != Status::index_missing && status != Status::index_mismatch) return answer;
+  // No other thread could stop it: the page ends the worker, and maps of more cells take too long.
+  if (cells_.size() > kMostCellsOfIndex) {
+    answer.error().message = request.planner.name +
+                             " needs an index, which the lab builds on maps of up to " +
+                             std::to_string(kMostCellsOfIndex) + " cells";
+    return answer;
+  }
+  const auto built = session_.build_index(request.planner.name);
+  if (!built) {
+    answer.error().message = built.error().message;
+    return answer;
+  }
+  return session_.plan(request);
 }
 
 void Lab::put(const Path& path) {

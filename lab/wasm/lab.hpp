@@ -13,6 +13,7 @@
 #include "lab/wasm/painter.hpp"
 #include "lab/wasm/pyramid.hpp"
 #include "lab/wasm/replay.hpp"
+#include "wend/path/path.hpp"
 #include "wend/session/session.hpp"
 
 namespace wend::lab {
@@ -50,6 +51,17 @@ class Lab {
 
   /// Plans; points() then has the path.
   std::string plan(const Task& task);
+  /// The nearest places to both ends where the robot fits: at their headings if `headings` is set, else where a
+  /// planner on cells can be. The ends themselves if it fits there or nowhere.
+  std::string places(const Pose& start, const Pose& goal, bool headings) const;
+  /// The largest robot that gets from one point to another, for the moves of the last planner; points() then has
+  /// its path.
+  std::string widest(Point start, Point goal);
+  /// Drives along the last path: "pid:kp=1", "robot:speed=0.3", "simulation:latency=0.1". points() then has seven
+  /// numbers for each command: time in s, x, y and heading in grid coordinates, speed in m/s, the distance from
+  /// the path in m, the heading error in rad.
+  std::string drive(std::string_view controller, std::string_view robot,
+                    std::string_view simulation);
   /// Everything about a cell; points() then has its chain of parents.
   std::string cell(Cell cell);
   /// Computes the values of a layer by its LayerKind's name; "order" for none.
@@ -71,6 +83,10 @@ class Lab {
   std::string map_text() const;
   void forget_search();
   void find_fits();
+  /// The same after an edit.
+  void find_fits(const SpaceChange& change);
+  /// Plans; builds the index that the planner needs, if it has none of this map.
+  Expected<PlanAnswer, RequestFailure> answer_to(const PlanRequest& request);
   void put(const Path& path);
   void show_search(std::string_view layer);
   std::optional<std::string> show_field(std::string_view layer);
@@ -88,6 +104,7 @@ class Lab {
   Palette palette_{};
   std::vector<std::uint32_t> pixels_;
   std::vector<double> points_;
+  std::optional<Path> path_;  // the last one
   std::string layer_ = "order";
   Values values_;
   std::vector<float> value_of_cell_;

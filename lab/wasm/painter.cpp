@@ -47,7 +47,8 @@ class Painter {
       std::ranges::fill(pixels, palette_.page);
       return;
     }
-    const bool line = row_of(y - 1) != at && has_lines();
+    const bool line = begins_cell(y);
+    if (!has_lines() && is_plain()) return plain_row(at, pixels);
     std::uint32_t last = palette_.page;
     for (std::size_t x = 0; x < pixels.size(); ++x) {
       const int column = across_[x];
@@ -58,8 +59,70 @@ class Painter {
     }
   }
 
+  /// Does a row of pixels look like the one above it?
+  bool repeats(int y) const {
+    return y > 0 && row_of(y) == row_of(y - 1) && begins_cell(y) == begins_cell(y - 1);
+  }
+
  private:
-  static constexpr unsigned kLine = 56;
+  static constexpr unsigned kLine = 56;          // share of 256
+  static constexpr unsigned kRoleOnRough = 150;  // the same
+
+  bool begins_cell(int y) const { return has_lines() && row_of(y) != row_of(y - 1); }
+
+  /// What the search did, on cells where the robot fits wherever it is free: most pictures, which are to be fast.
+  bool is_plain() const {
+    return picture_.values.of_cells.empty() && picture_.replay.width() != 0 &&
+           (level_ >= 0 || picture_.fits.empty());
+  }
+
+  void plain_row(int row, std::span<std::uint32_t> pixels) const {
+    const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+    const Level* const level = level_ >= 0 ? &picture_.pyramid.level(level_) : nullptr;
+    const Replay& replay = picture_.replay;
+    const std::uint8_t* const ground =
+        (level ? level->ground.data() : picture_.cells.data()) + first;
+    const std::uint8_t* const walls = level ? level->obstacles.data() + first : nullptr;
+    const std::uint32_t* const expansion =
+        (level ? level->expansion : replay.expansion()).data() + first;
+    const std::uint32_t* const generation =
+        (level ? level->generation : replay.generation()).data() + first;
+    const Palette palette = palette_;
+    const std::uint32_t step = picture_.step;
+    for (std::size_t x = 0; x < pixels.size(); ++x) {
+      const int column = across_[x];
+      if (column < 0) {
+        pixels[x] = palette.page;
+        continue;
+      }
+      const std::uint8_t cell = ground[column];
+      if (walls == nullptr && cell == kObstacle) {
+        pixels[x] = palette.obstacle;
+        continue;
+      }
+      // 0 is never: as an unsigned number minus 1 it is the largest.
+      const bool expanded = expansion[column] - 1 < step;
+      const bool reached = expanded || generation[column] - 1 < step;
+      std::uint32_t colour = expanded ? palette.expanded : palette.frontier;
+      if (!reached) {
+        colour = ground_colour(cell, palette);
+      } else if (cell > 1 && cell != kUnknownCell) {
+        colour = mixed(ground_colour(cell, palette), colour, kRoleOnRough);
+      }
+      if (walls != nullptr) {
+        colour = with_walls(colour, walls[column]);
+      } else if (first + static_cast<std::size_t>(column) == current_) {
+        colour = palette.current;
+      }
+      pixels[x] = colour;
+    }
+  }
+
+  /// The colour of a block with obstacles in it. A thin wall must not fade away: one cell counts like nearly half of
+  /// the block.
+  std::uint32_t with_walls(std::uint32_t colour, unsigned walls) const {
+    return walls == 0 ? colour : mixed(colour, palette_.obstacle, std::min(256U, 110U + walls));
+  }
 
   int level_for(double cells) const {
     int level = -1;
@@ -108,9 +171,7 @@ class Painter {
     const std::uint32_t ground =
         over(ground_colour(cell, palette_), cell, first, known ? level.expansion[index] : 0,
              known ? level.generation[index] : 0);
-    const unsigned walls = level.obstacles[index];
-    // A thin wall must not fade away: one cell counts like nearly half of the block.
-    return walls == 0 ? ground : mixed(ground, palette_.obstacle, std::min(256U, 110U + walls));
+    return with_walls(ground, level.obstacles[index]);
   }
 
   /// The ground with what the search did there, or a value.
@@ -126,7 +187,7 @@ class Painter {
     }
     if (!reached && !expanded) return ground;
     const std::uint32_t role = expanded ? palette_.expanded : palette_.frontier;
-    return cell > 1 && cell != kUnknownCell ? mixed(ground, role, 150) : role;
+    return cell > 1 && cell != kUnknownCell ? mixed(ground, role, kRoleOnRough) : role;
   }
 
   std::size_t ramp_index(float value) const {
@@ -154,7 +215,13 @@ void paint(const Picture& picture, const View& view, const Palette& palette,
   const Painter painter(picture, view, palette);
   const auto width = static_cast<std::size_t>(view.width);
   for (int y = 0; y < view.height; ++y) {
-    painter.row(y, pixels.subspan(static_cast<std::size_t>(y) * width, width));
+    const std::size_t begin = static_cast<std::size_t>(y) * width;
+    if (painter.repeats(y)) {
+      std::ranges::copy(pixels.subspan(begin - width, width),
+                        pixels.begin() + static_cast<std::ptrdiff_t>(begin));
+    } else {
+      painter.row(y, pixels.subspan(begin, width));
+    }
   }
 }
 

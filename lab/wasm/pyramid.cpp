@@ -44,29 +44,43 @@ void for_blocks(const Level& level, int width, int height, Merge&& merge) {
   }
 }
 
-void merge_map(Level& level, std::span<const std::uint8_t> obstacles,
-               std::span<const std::uint8_t> ground, int width, int height) {
-  const auto size = static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
-  level.obstacles.resize(size);
-  level.ground.resize(size);
-  for_blocks(level, width, height, [&](std::size_t index, const Block& block) {
-    unsigned sum = 0;
-    std::uint8_t dearest = 0;
-    bool known = false;
-    for (int i = 0; i < block.count; ++i) {
-      const std::size_t at = block.at[static_cast<std::size_t>(i)];
-      sum += obstacles[at];
-      const std::uint8_t here = ground[at];
-      if (here == kUnknownCell && !known) dearest = here;
-      if (here != kUnknownCell && here != 0) {
-        dearest = known ? std::max(dearest, here) : here;
-        known = true;
-      }
+/// What a level is made from: the map itself, or the level below.
+struct Below {
+  std::span<const std::uint8_t> obstacles;  // empty: those of the map
+  std::span<const std::uint8_t> ground;
+  int width;
+  int height;
+
+  unsigned obstacle(std::size_t at) const {
+    if (!obstacles.empty()) return obstacles[at];
+    return ground[at] == kObstacle ? 255 : 0;
+  }
+};
+
+Below below_of(const std::vector<Level>& levels, std::size_t level,
+               std::span<const std::uint8_t> cells, int width, int height) {
+  if (level == 0) return {{}, cells, width, height};
+  const Level& below = levels[level - 1];
+  return {below.obstacles, below.ground, below.width, below.height};
+}
+
+void merge_block(Level& level, const Below& below, std::size_t index, const Block& block) {
+  unsigned sum = 0;
+  std::uint8_t dearest = 0;
+  bool known = false;
+  for (int i = 0; i < block.count; ++i) {
+    const std::size_t at = block.at[static_cast<std::size_t>(i)];
+    sum += below.obstacle(at);
+    const std::uint8_t here = below.ground[at];
+    if (here == kUnknownCell && !known) dearest = here;
+    if (here != kUnknownCell && here != 0) {
+      dearest = known ? std::max(dearest, here) : here;
+      known = true;
     }
-    const unsigned mean = sum / static_cast<unsigned>(block.count);
-    level.obstacles[index] = static_cast<std::uint8_t>(sum > 0 ? std::max(mean, 1U) : 0);
-    level.ground[index] = dearest;
-  });
+  }
+  const unsigned mean = sum / static_cast<unsigned>(block.count);
+  level.obstacles[index] = static_cast<std::uint8_t>(sum > 0 ? std::max(mean, 1U) : 0);
+  level.ground[index] = dearest;
 }
 
 std::vector<std::uint32_t> least_of(const Level& level, const std::vector<std::uint32_t>& below,
@@ -89,19 +103,42 @@ std::vector<std::uint32_t> least_of(const Level& level, const std::vector<std::u
 
 void Pyramid::set_map(std::span<const std::uint8_t> cells, int width, int height) {
   levels_.clear();
-  std::vector<std::uint8_t> obstacles(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) obstacles[i] = cells[i] == kObstacle ? 255 : 0;
-  const std::vector<std::uint8_t> ground(cells.begin(), cells.end());
-  while (width > 1 || height > 1) {
-    Level next = half_of(width, height);
-    if (levels_.empty()) {
-      merge_map(next, obstacles, ground, width, height);
-    } else {
-      merge_map(next, levels_.back().obstacles, levels_.back().ground, width, height);
+  for (int x = width, y = height; x > 1 || y > 1;
+       x = levels_.back().width, y = levels_.back().height) {
+    levels_.push_back(half_of(x, y));
+  }
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    Level& level = levels_[i];
+    const auto size =
+        static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
+    level.obstacles.resize(size);
+    level.ground.resize(size);
+    const Below below = below_of(levels_, i, cells, width, height);
+    for_blocks(level, below.width, below.height, [&](std::size_t index, const Block& block) {
+      merge_block(level, below, index, block);
+    });
+  }
+}
+
+void Pyramid::update(std::span<const std::uint8_t> cells, int width, int height,
+                     std::vector<std::uint32_t> changed) {
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    Level& level = levels_[i];
+    const Below below = below_of(levels_, i, cells, width, height);
+    const auto row = static_cast<std::uint32_t>(below.width);
+    for (std::uint32_t& index : changed) {
+      const std::uint32_t x = index % row / 2;
+      const std::uint32_t y = index / row / 2;
+      index = y * static_cast<std::uint32_t>(level.width) + x;
     }
-    width = next.width;
-    height = next.height;
-    levels_.push_back(std::move(next));
+    std::ranges::sort(changed);
+    const auto rest = std::ranges::unique(changed);
+    changed.erase(rest.begin(), rest.end());
+    for (const std::uint32_t index : changed) {
+      const int x = static_cast<int>(index) % level.width;
+      const int y = static_cast<int>(index) / level.width;
+      merge_block(level, below, index, block_of(x, y, below.width, below.height));
+    }
   }
 }
 

@@ -26,6 +26,9 @@ class Pyramid {
  public:
   /// Makes the levels of a map. O(cells).
   void set_map(std::span<const std::uint8_t> cells, int width, int height);
+  /// Takes over cells of a map of the same size that have changed, by their indices. O(log(cells)) each.
+  void update(std::span<const std::uint8_t> cells, int width, int height,
+              std::vector<std::uint32_t> changed);
   /// Takes over the steps of a search on this map, or of none. O(cells).
   void set_replay(const Replay& replay);
 

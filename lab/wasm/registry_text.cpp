@@ -1,6 +1,7 @@
 #include "lab/wasm/registry_text.hpp"
 
 #include "lab/wasm/json.hpp"
+#include "wend/control/controller.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/path/smoother.hpp"
 #include "wend/planner/planners.hpp"
@@ -74,6 +75,16 @@ void write(Json& json, const SmootherInfo& smoother) {
   json.end_object();
 }
 
+void write(Json& json, const ControllerInfo& controller) {
+  json.object()
+      .field("name", controller.name)
+      .field("summary", controller.summary)
+      .field("citation", controller.citation)
+      .field("turnsInPlace", controller.turns_in_place);
+  write(json, controller.options);
+  json.end_object();
+}
+
 }  // namespace
 
 std::string registry_text() {
@@ -85,6 +96,8 @@ std::string registry_text() {
   for (const GeneratorInfo& generator : generators()) write(json, generator);
   json.end_array().key("smoothers").array();
   for (const SmootherInfo& smoother : smoothers()) write(json, smoother);
+  json.end_array().key("controllers").array();
+  for (const ControllerInfo& controller : controllers()) write(json, controller);
   json.end_array().end_object();
   return json.text();
 }

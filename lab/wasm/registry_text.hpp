@@ -6,7 +6,7 @@
 
 namespace wend::lab {
 
-/// {"version", "planners": [...], "generators": [...], "smoothers": [...]}, each with its options.
+/// {"version", "planners": [...], "generators": [...], "smoothers": [...], "controllers": [...]}, each with its options.
 std::string registry_text();
 
 }  // namespace wend::lab

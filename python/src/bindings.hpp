@@ -11,6 +11,7 @@ void bind_map(nanobind::module_& module);
 void bind_plan(nanobind::module_& module);
 void bind_registry(nanobind::module_& module);
 void bind_search(nanobind::module_& module);
+void bind_solutions(nanobind::module_& module);
 void bind_space(nanobind::module_& module);
 void bind_trace(nanobind::module_& module);
 

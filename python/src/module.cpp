@@ -13,6 +13,7 @@ NB_MODULE(_core, module) {  // NOLINT(cppcoreguidelines-pro-type-cstyle-cast): o
   wend::python::bind_costs(module);
   wend::python::bind_plan(module);
   wend::python::bind_trace(module);
+  wend::python::bind_solutions(module);
   wend::python::bind_space(module);
   wend::python::bind_registry(module);
   wend::python::bind_search(module);

@@ -1,21 +1,25 @@
-// _core.Space: planning one path, and many.
+// _core.Space: planning one path, and many; the paths of an anytime planner, one by one.
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/unique_ptr.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "python/src/arrays.hpp"
+#include "python/src/bindings.hpp"
 #include "python/src/errors.hpp"
 #include "python/src/interrupts.hpp"
 #include "python/src/plan.hpp"
 #include "python/src/space.hpp"
 #include "python/src/trace.hpp"
 #include "wend/base/thread_workers.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace nb = nanobind;
 
@@ -57,20 +61,27 @@ MapGoal goal_of(nb::handle goal) {
   return read;
 }
 
-Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
-             const nb::dict& options, std::optional<double> time_limit,
-             std::optional<std::int64_t> expansions, bool nearest, double tolerance,
-             double heading_tolerance, Recording* recording) {
-  SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
+PlanRequest request_of(nb::handle start, const nb::list& goals, SearchSettings settings,
+                       double tolerance, double heading_tolerance) {
   PlanRequest request{coordinates_of(start, "start").pose(), {}};
   for (const nb::handle goal : goals) request.goals.push_back(goal_of(goal));
   request.planner = std::move(settings.planner);
   request.limits = settings.limits;
-  request.nearest = nearest;
   for (MapGoal& goal : request.goals) {
     goal.tolerance = not_negative(tolerance, "tolerance");
     goal.heading_tolerance = not_negative(heading_tolerance, "heading_tolerance");
   }
+  return request;
+}
+
+Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
+             const nb::dict& options, std::optional<double> time_limit,
+             std::optional<std::int64_t> expansions, bool nearest, double tolerance,
+             double heading_tolerance, Recording* recording) {
+  PlanRequest request =
+      request_of(start, goals, settings_of(std::move(planner), options, time_limit, expansions),
+                 tolerance, heading_tolerance);
+  request.nearest = nearest;
   request.observer = recording;
   const Session::View view = space.view();
   Interrupts interrupts;
@@ -120,7 +131,76 @@ nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& g
   return plans;
 }
 
+/// The search of an anytime planner, which goes on when its next path is asked for.
+class Solutions {
+ public:
+  Solutions(FreeSpace space, PlanRequest request) : space_(std::move(space)) {
+    interrupts_.watch(request.limits);
+    request.on_solution = [this](const Plan& /*plan*/) { told_ = true; };
+    planner_ = value_or_throw(make_planner(request.planner.name, space_, request.planner.options));
+    const Capabilities& can = planners().find(request.planner.name)->capabilities;
+    if (!can.anytime) {
+      throw_failure(Status::invalid_option,
+                    request.planner.name + " is not an anytime planner: it finds one path",
+                    "planner");
+    }
+    query_ = query_of(request, space_.map().frame());
+  }
+
+  /// The next path; nothing after the last one. Throws Failed if there is none at all.
+  std::optional<Planned> next() {
+    if (over_) return std::nullopt;
+    told_ = false;
+    std::optional<Status> outcome;
+    {
+      const nb::gil_scoped_release unlocked;
+      outcome = to_next_path();
+    }
+    interrupts_.throw_if_interrupted();
+    over_ = outcome.has_value();
+    if (outcome && *outcome != Status::found) {
+      throw Failed(PlanFailure{{*outcome, planner_->reason(query_, *outcome)}, plan_.metrics});
+    }
+    if (!told_) return std::nullopt;
+    return Planned{{.space = space_, .plan = plan_, .moves = planner_->grid_moves()}};
+  }
+
+ private:
+  std::optional<Status> to_next_path() {
+    std::optional<Status> outcome;
+    if (!begun_) outcome = planner_->begin(query_, plan_);
+    begun_ = true;
+    while (!outcome && !told_) outcome = planner_->step(plan_);
+    return outcome;
+  }
+
+  FreeSpace space_;
+  Interrupts interrupts_;
+  std::unique_ptr<Planner> planner_;
+  Query query_;
+  Plan plan_;
+  bool begun_ = false;
+  bool told_ = false;
+  bool over_ = false;
+};
+
+std::unique_ptr<Solutions> solutions(const Space& space, nb::handle start, const nb::list& goals,
+                                     std::string planner, const nb::dict& options,
+                                     std::optional<double> time_limit,
+                                     std::optional<std::int64_t> expansions, double tolerance,
+                                     double heading_tolerance) {
+  SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
+  return std::make_unique<Solutions>(
+      space.view().space,
+      request_of(start, goals, std::move(settings), tolerance, heading_tolerance));
+}
+
 }  // namespace
+
+void bind_solutions(nb::module_& module) {
+  nb::class_<Solutions>(module, "Solutions", "The paths of an anytime planner, one by one.")
+      .def("next", &Solutions::next);
+}
 
 void bind_planning(nb::class_<Space>& space) {
   space
@@ -128,6 +208,9 @@ void bind_planning(nb::class_<Space>& space) {
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
            nb::arg("nearest"), nb::arg("tolerance"), nb::arg("heading_tolerance"),
            nb::arg("recording").none())
+      .def("solutions", &solutions, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
+           nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
+           nb::arg("tolerance"), nb::arg("heading_tolerance"))
       .def("plan_many", &plan_many, nb::arg("starts"), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
            nb::arg("threads"));

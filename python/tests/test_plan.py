@@ -212,3 +212,39 @@ def test_registries_describe_themselves() -> None:
     astar = {planner.name: planner for planner in wend.planners()}["astar"]
     assert "weight" in [option.name for option in astar.options]
     assert astar.guarantee == "bounded" or astar.guarantee == "optimal"
+
+
+def test_solutions_get_better_until_the_best() -> None:
+    space = room()
+    best = space.plan((0.55, 0.05), (2.55, 1.95))
+    plans = list(space.solutions((0.55, 0.05), (2.55, 1.95), initial_weight=10, weight_step=0.5))
+    costs, bounds = [plan.cost for plan in plans], [plan.bound for plan in plans]
+    assert costs == sorted(costs, reverse=True)
+    assert bounds == sorted(bounds, reverse=True)
+    assert bounds[-1] == 1
+    assert plans[-1].cost == pytest.approx(best.cost)
+    for plan in plans:
+        assert best.cost * (1 - 1e-9) <= plan.cost <= plan.bound * best.cost * (1 + 1e-9)
+
+
+def test_solutions_end_at_a_limit_with_the_answer_of_plan() -> None:
+    space = room()
+    ends = ((0.55, 0.05), (2.55, 1.95))
+    needed = space.plan(*ends, planner="ara_star").metrics.expanded
+    for expansions in range(needed // 2, needed + 1, 7):
+        try:
+            answer = space.plan(*ends, planner="ara_star", expansions=expansions)
+        except wend.NoPath as failure:
+            assert failure.status == "expansion_limit"
+            continue
+        plans = list(space.solutions(*ends, expansions=expansions))
+        assert (plans[-1].cost, plans[-1].bound) == (answer.cost, answer.bound)
+    with pytest.raises(wend.NoPath, match="limit"):
+        next(space.solutions(*ends, expansions=1))
+
+
+def test_solutions_need_an_anytime_planner() -> None:
+    with pytest.raises(ValueError, match="astar is not an anytime planner"):
+        room().solutions((0.5, 0.5), (1, 1), planner="astar")
+    with pytest.raises(wend.NoPath):
+        next(room().solutions((0.5, 0.5), (100, 1)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
@@ -206,6 +206,45 @@ class FreeSpace:
                 if tell is not None:
                     tell(len(answers) / count)
         return [Plan(answer) if isinstance(answer, _core.Plan) else _no_path(answer) for answer in answers]
+
+    @named_types
+    def solutions(
+        self,
+        start: Pose,
+        goal: Pose | Iterable[Pose],
+        planner: str = "ara_star",
+        *,
+        time_limit: float | None = None,
+        expansions: int | None = None,
+        tolerance: float = 0,
+        heading_tolerance: float = 0,
+        **options: object,
+    ) -> Iterator[Plan]:
+        """Yields the paths of an anytime planner, each cheaper or with a smaller ``Plan.bound`` than the one before. The
+        search goes on when the next path is asked for, so leave the loop when a path is good enough. Without a
+        limit the last path is optimal.
+
+        :param time_limit: seconds since the first path is asked for; what is done between the paths counts.
+        :param expansions: the most states to expand.
+        :raises wend.NoPath: as ``plan()``, when the first path is asked for.
+        :raises ValueError: as ``plan()``, and if the planner finds one path only.
+
+        >>> import wend
+        >>> space = wend.Map([[0, 0, 0], [0, 1, 0], [0, 0, 0]]).free_space()
+        >>> [plan.bound for plan in space.solutions((0, 0), (2, 2))][-1]
+        1.0
+        """
+        search = self._inner.solutions(
+            start,
+            goals_of(goal),
+            planner,
+            text_of(options) if options else {},
+            time_limit,
+            expansions,
+            tolerance,
+            heading_tolerance,
+        )
+        return (Plan(found) for found in iter(search.next, None))
 
     @named_types
     def trace(

@@ -1,18 +1,12 @@
 #include "wend/base/parse.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "wend/base/number_text.hpp"
 
 namespace wend {
 namespace {
-
-/// Parses the whole text. Returns why it is not a number that a double holds, std::errc{} if it is.
-std::errc read_number(std::string_view text, double& value) {
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return stop == end ? error : std::errc::invalid_argument;
-}
 
 /// Is the text a number that is too large for a double: "1e999"?
 bool is_too_large(std::string_view text) {
@@ -52,10 +46,6 @@ std::string parse_in_range(std::string_view text, double& value, double least, d
   return {};
 }
 
-std::string format_number(double value) {
-  std::array<char, 32> buffer{};  // the longest shortest double has 24 characters
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return error == std::errc{} ? std::string(buffer.data(), end) : std::string{};
-}
+std::string format_number(double value) { return shortest_text(value); }
 
 }  // namespace wend

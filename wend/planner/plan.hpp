@@ -4,6 +4,7 @@
 // it found no path.
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -22,6 +23,13 @@
 namespace wend {
 
 class SearchObserver;
+struct Plan;
+
+/// Receives a path, on the thread that searches. The plan is that of the caller, valid until it returns.
+///
+///   query.limits.seconds = 0.05;
+///   query.on_solution = [&](const wend::Plan& plan) { bounds.push_back(plan.bound); };
+using OnSolution = std::function<void(const Plan&)>;
 
 /// Where a path may end, in grid coordinates: a pose, or a point with any heading; with a tolerance, near it.
 ///
@@ -76,6 +84,10 @@ struct Query {
   std::vector<Goal> goals;             // one or more
   Limits limits = {};                  // of the search
   SearchObserver* observer = nullptr;  // receives every event of the search; not owned
+  /// Receives each path of an anytime planner (Capabilities::anytime) with its cost, its bound and the work
+  /// until then: costs and bounds never rise, and one of them falls. The last one is the answer. Other planners
+  /// tell their answer. Null: nobody.
+  OnSolution on_solution = {};
 
   /// From the centre of one cell to the centre of another.
   static Query between(Cell start, Cell goal) { return {pose_at(start), {pose_at(goal)}}; }

@@ -32,12 +32,34 @@ Expected<Plan, PlanFailure> Planner::plan(const Query& query) {
 
 Status Planner::plan(const Query& query, Plan& out) {
   if (const auto failed = check(query, out)) return *failed;
-  return do_plan(query, out);
+  watch_solutions(query);
+  const Status status = do_plan(query, out);
+  if (status == Status::found) tell_solution(out);
+  return status;
 }
 
 std::optional<Status> Planner::begin(const Query& query, Plan& out) {
   if (const auto failed = check(query, out)) return failed;
+  watch_solutions(query);
   return do_begin(query, out);
+}
+
+std::optional<Status> Planner::step(Plan& out) {
+  const std::optional<Status> status = do_step(out);
+  if (status == Status::found) tell_solution(out);
+  return status;
+}
+
+void Planner::watch_solutions(const Query& query) {
+  on_solution_ = query.on_solution;
+  told_cost_ = std::numeric_limits<double>::quiet_NaN();
+}
+
+void Planner::tell_solution(const Plan& plan) {
+  if (!on_solution_ || (plan.cost == told_cost_ && plan.bound == told_bound_)) return;
+  told_cost_ = plan.cost;
+  told_bound_ = plan.bound;
+  on_solution_(plan);
 }
 
 Expected<void, Error> Planner::update(FreeSpace free_space, const SpaceChange& change) {
@@ -64,7 +86,7 @@ std::string Planner::reason(const Query& query, Status status) const {
   return reason + beyond_tolerance(query, status, cells_text(query.goals.front().tolerance));
 }
 
-std::optional<Status> Planner::check(const Query& query, Plan& out) {
+void Planner::clear(Plan& out) {
   out.path.clear();
   out.cost = std::numeric_limits<double>::infinity();
   out.bound = Plan::kNoBound;
@@ -72,6 +94,10 @@ std::optional<Status> Planner::check(const Query& query, Plan& out) {
   out.start_snapping_error = {};
   out.goal_snapping_error = {};
   out.metrics = {};
+}
+
+std::optional<Status> Planner::check(const Query& query, Plan& out) {
+  clear(out);
   if (query.goals.empty() || !std::ranges::all_of(query.goals, has_tolerances)) {
     return Status::unsupported_query;
   }

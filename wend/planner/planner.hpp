@@ -48,13 +48,14 @@ class WEND_API Planner {
   Status plan(const Query& query, Plan& out);
 
   /// The same one expansion at a time, for planners that can be stepped (Capabilities::can_step):
-  /// begin a query, then step until there is an outcome. Limits and the observer work as in plan().
+  /// begin a query, then step until there is an outcome. Limits and the observer work as in plan(). Of an
+  /// anytime planner, the plan has the best path so far once there is one.
   ///
   ///   auto outcome = planner.begin(query, plan);
   ///   while (!outcome) outcome = planner.step(plan);
   std::optional<Status> begin(const Query& query, Plan& out);
   /// Expands one state; the outcome, once there is one.
-  std::optional<Status> step(Plan& out) { return do_step(out); }
+  std::optional<Status> step(Plan& out);
 
   /// For a stepped search: the next states to expand, at most `most`, in order, and the number of
   /// open states. Does not change the search. O(entries of the frontier).
@@ -105,6 +106,11 @@ class WEND_API Planner {
   /// For derived classes.
   explicit Planner(FreeSpace free_space) : free_space_(std::move(free_space)) {}
 
+  /// Makes it the plan of a query without a path.
+  static void clear(Plan& out);
+  /// Tells a path of the present query to Query::on_solution, unless the last one had the same cost and bound.
+  void tell_solution(const Plan& plan);
+
  private:
   /// Space-specific validation: a reason why the query cannot be answered, before any search.
   virtual std::optional<Status> do_check(const Query& query) = 0;
@@ -129,7 +135,11 @@ class WEND_API Planner {
   virtual void do_release() {}
 
   std::optional<Status> check(const Query& query, Plan& out);
+  void watch_solutions(const Query& query);
 
+  OnSolution on_solution_;  // of the present query
+  double told_cost_ = 0;
+  double told_bound_ = 0;
   std::optional<FreeSpace> free_space_;  // nothing between release() and update()
 };
 

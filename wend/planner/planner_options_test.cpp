@@ -24,7 +24,7 @@ using AllOptions =
     ::testing::Types<AStarOptions, GreedyOptions, DijkstraOptions, BfsOptions, DfsOptions,
                      RandomWalkOptions, ShortestAnyAngleOptions, ThetaStarOptions,
                      LazyThetaStarOptions, CarOptions, LatticeOptions, ReplannerOptions,
-                     DStarLiteOptions, AltOptions, HybridAStarOptions>;
+                     DStarLiteOptions, AltOptions, HybridAStarOptions, AraStarOptions>;
 TYPED_TEST_SUITE(PlannerOptionsOf, AllOptions);
 
 template <class... Options>

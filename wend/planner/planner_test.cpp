@@ -210,6 +210,7 @@ TEST_P(EveryPlanner, TellsAnObserverEverything) {
     Auditor auditor;
     auditor.revisits = GetParam() == "random_walk" ||
                        jumps_on(map.uniform_terrain(), planners().find(GetParam())->capabilities);
+    const bool anytime = planners().find(GetParam())->capabilities.anytime;
     auditor.settles = planners().find(GetParam())->capabilities.any_angle;
     const Cell start = test::random_cell(random, 15, 12);  // the same with every compiler
     const Cell goal = test::random_cell(random, 15, 12);
@@ -219,7 +220,8 @@ TEST_P(EveryPlanner, TellsAnObserverEverything) {
     const Status status = planner->plan(query, plan);
     EXPECT_EQ(auditor.expanded, plan.metrics.expanded);
     EXPECT_EQ(auditor.generated, plan.metrics.generated);
-    if (status == Status::found) {
+    // An anytime planner goes on after it has expanded the goal.
+    if (status == Status::found && !anytime) {
       const std::vector<Point> points = plan.path.points();
       EXPECT_EQ(auditor.last, cell_at(GetParam() == "d_star_lite" ? points.front() : points.back()))
           << "it searches backwards";

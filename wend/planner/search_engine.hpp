@@ -47,6 +47,10 @@ class SearchEngine {
 
   /// The path of a search that has found a goal, into memory that is kept.
   virtual void write_path(Path& path) const = 0;
+
+  /// What an anytime search has proven: the path costs at most this times the least cost. Unset for engines
+  /// whose parts say it.
+  virtual std::optional<double> bound() const { return std::nullopt; }
 };
 
 /// A state of a search, as it was reached at that cost.

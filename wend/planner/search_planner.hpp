@@ -41,7 +41,9 @@ class SearchPlanner : public Planner {
 
   Status do_plan(const Query& query, Plan& out) final {
     begin_search(query.limits, query.observer);
-    return finish(engine_->run(), out);
+    SearchOutcome outcome = engine_->run();
+    for (; outcome == SearchOutcome::improved; outcome = engine_->run()) take_solution(out);
+    return finish(outcome, out);
   }
 
   std::optional<Status> do_begin(const Query& query, Plan& out) final {
@@ -54,7 +56,10 @@ class SearchPlanner : public Planner {
   std::optional<Status> do_step(Plan& out) final {
     const SearchOutcome outcome = engine_->step();
     out.metrics = engine_->metrics();
-    if (outcome == SearchOutcome::running) return std::nullopt;
+    if (outcome == SearchOutcome::improved) take_solution(out);
+    if (outcome == SearchOutcome::running || outcome == SearchOutcome::improved) {
+      return std::nullopt;
+    }
     return finish(outcome, out);
   }
 
@@ -62,12 +67,27 @@ class SearchPlanner : public Planner {
     return engine_ == nullptr ? OpenList{} : engine_->open_list(most);
   }
 
+  /// A path after which an anytime search goes on.
+  void take_solution(Plan& out) {
+    write(out);
+    tell_solution(out);
+  }
+
   Status finish(SearchOutcome outcome, Plan& out) {
+    if (outcome != SearchOutcome::found) {
+      clear(out);  // an earlier path
+      out.metrics = engine_->metrics();
+      return status_of(outcome);
+    }
+    write(out);
+    return Status::found;
+  }
+
+  void write(Plan& out) {
     out.metrics = engine_->metrics();
-    if (outcome != SearchOutcome::found) return status_of(outcome);
+    out.moves.clear();
     engine_->write_path(out.path);
     assess(out);
-    return Status::found;
   }
 
   Limits limits_;  // of a search that is stepped

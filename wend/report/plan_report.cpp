@@ -20,6 +20,18 @@ Json json_of(const SnappingError& error, const Frame& frame) {
           {"degrees", degrees_from(error.turn)}};
 }
 
+Json json_of(const std::vector<TimedSolution>& solutions) {
+  constexpr double kMicroseconds = 1e6;
+  Json list = Json::array();
+  for (const TimedSolution& solution : solutions) {
+    list.push_back({{"search_us", kMicroseconds * solution.seconds},
+                    {"cost", solution.cost},
+                    {"bound", solution.bound},
+                    {"expanded", solution.expanded}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string plan_json(const PlanResult& result, const Frame& frame, std::span<const Layer> layers) {
@@ -44,6 +56,7 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   json["footprint"] = text_of(result.footprint);
   json["metrics"] = json_of(result.plan.metrics);
   json["times"] = json_of(result.times);
+  if (result.capabilities.anytime) json["solutions"] = json_of(result.solutions);
   for (const Layer& layer : layers) {
     json["layers"][std::string(choice_name(layer.kind))] =
         layer.numbers.empty() ? json_of(layer.arrows, frame) : json_of(layer.numbers);

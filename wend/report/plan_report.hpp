@@ -22,6 +22,9 @@
 // the cost remain those of the plan. `path_smoothed` is a list of waypoints in grid coordinates, in
 // which the centre of cell (i,j) is (i+0.5, j+0.5).
 //
+// The paths of an anytime planner, in order: "solutions": [{"search_us": 8.1, "cost": 3.41, "bound": 1.4,
+// "expanded": 9}, ...]. The last one is the answer.
+//
 // If a trajectory was asked for, "trajectory" follows: see trajectory_report.hpp.
 //
 // For a car:
@@ -58,6 +61,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "wend/analysis/layer.hpp"
 #include "wend/base/status.hpp"
@@ -83,6 +87,14 @@ struct WorkTimes {
   double preparation() const { return load + free_space + planner.value_or(0) + index.value_or(0); }
 };
 
+/// A path that an anytime planner told.
+struct TimedSolution {
+  double seconds = 0;  // CPU time since the search began
+  double cost = 0;
+  double bound = 0;            // Plan::bound
+  std::uint64_t expanded = 0;  // until then
+};
+
 struct PlanResult {
   std::string planner;
   Status status = Status::found;
@@ -96,6 +108,7 @@ struct PlanResult {
   std::optional<RefinedPath> refined{};
   // The trajectory along the path, refined or not, if it was asked for.
   std::optional<SampledTrajectory> trajectory{};
+  std::vector<TimedSolution> solutions{};  // of an anytime planner, in order
   int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
   Footprint footprint{};
 };

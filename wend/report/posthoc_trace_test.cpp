@@ -120,10 +120,10 @@ void check_map(const json& trace, const FreeSpace& space) {
 /// The planners that search from cell to neighbouring cell: their parents are the path.
 std::vector<std::string> walking_planners() {
   std::vector<std::string> names = planner_names("cells");
-  // One that resumes begins at the goal, or where it stopped.
+  // One that resumes begins at the goal, or where it stopped; an anytime planner expands states again.
   std::erase_if(names, [](const std::string& name) {
     const Capabilities& can = planners().find(name)->capabilities;
-    return can.jumps || can.resumes;
+    return can.jumps || can.resumes || can.anytime;
   });
   return names;
 }

@@ -11,6 +11,7 @@ namespace wend {
 /// The state of a search.
 enum class SearchOutcome {
   running,          // it has not ended
+  improved,         // the same, and an anytime search has a better path or bound
   found,            // it reached a goal
   exhausted,        // every state that can be reached was expanded
   expansion_limit,  // Limits::expansions was reached
@@ -49,6 +50,7 @@ constexpr Status status_of(SearchOutcome outcome) {
       return Status::unsupported_map;
     case SearchOutcome::exhausted:
     case SearchOutcome::running:
+    case SearchOutcome::improved:
       break;
   }
   return Status::unreachable;

@@ -12,7 +12,8 @@ std::vector<MapPose> PlanAnswer::poses() const {
 }
 
 Query query_of(const PlanRequest& request, const Frame& frame) {
-  Query query{frame.to_grid(request.start), {}, request.limits, request.observer};
+  Query query{
+      frame.to_grid(request.start), {}, request.limits, request.observer, request.on_solution};
   for (const MapGoal& goal : request.goals) {
     const MapPose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
     Goal& added = query.goals.emplace_back(frame.to_grid(pose));

@@ -39,6 +39,7 @@ struct PlanRequest {
   PlannerSpec planner{"astar"};        // and its options
   Limits limits = {};                  // of the search
   SearchObserver* observer = nullptr;  // of the search; not owned
+  OnSolution on_solution = {};         // as Query::on_solution: paths in grid coordinates
   bool nearest = false;  // moves blocked ends, see nearest_ends() and Planner::nearest_free()
   bool explain = true;   // why there is no path, at length; else in a short sentence
   /// Answers from the costs to the goals from everywhere, which are kept for the next request with the

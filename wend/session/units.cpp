@@ -1,27 +1,19 @@
 #include "wend/session/units.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "wend/base/number_text.hpp"
 #include "wend/base/parse.hpp"
 
 namespace wend {
 namespace {
 
-/// With so many significant digits, as in printf's %g.
-std::string general(double value, int digits) {
-  constexpr std::size_t kLongest = 40;
-  std::array<char, kLongest> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                 std::chars_format::general, digits);
-  return {text.data(), end.ptr};
+std::string pair(double x, double y) { return general_text(x, 6) + ',' + general_text(y, 6); }
+
+std::string range(double from, double to) {
+  return general_text(from, 6) + " to " + general_text(to, 6);
 }
-
-std::string pair(double x, double y) { return general(x, 6) + ',' + general(y, 6); }
-
-std::string range(double from, double to) { return general(from, 6) + " to " + general(to, 6); }
 
 /// The cell that a point lies in; nothing if a Cell cannot hold its numbers.
 std::optional<Cell> cell_around(Point point) {
@@ -60,8 +52,8 @@ std::string Units::radius(double cells) const {
 }
 
 std::string Units::length(double cells) const {
-  if (metric_) return general(cells * frame_.resolution, 3) + " m";
-  return general(cells, 4) + (cells == 1 ? " cell" : " cells");
+  if (metric_) return general_text(cells * frame_.resolution, 3) + " m";
+  return general_text(cells, 4) + (cells == 1 ? " cell" : " cells");
 }
 
 std::string Units::area(std::size_t cells) const {
@@ -69,7 +61,8 @@ std::string Units::area(std::size_t cells) const {
   if (!frame_.metric) return count;
   constexpr double kWhole = 100;  // square metres, from which fractions do not matter
   const double area = static_cast<double>(cells) * frame_.resolution * frame_.resolution;
-  const std::string metres = area < kWhole ? general(area, 3) : std::to_string(std::llrint(area));
+  const std::string metres =
+      area < kWhole ? general_text(area, 3) : std::to_string(std::llrint(area));
   return count + " (" + metres + " m2)";
 }
 

@@ -89,6 +89,26 @@ struct AltOptions {
   }
 };
 
+/// The options of `ara_star`.
+struct AraStarOptions {
+  static constexpr std::string_view kPlanner = "ara_star";  // its name
+
+  GridMoves moves = {};       // how the robot steps
+  double initial_weight = 3;  // of the estimate, until the first path; 1 is A*
+  double weight_step = 0.5;   // what the next weight is below the bound that is proven
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+    field(
+        {"initial_weight",
+         "w in f = g + w h until the first path, which costs at most w times the optimum; 1 is A*"},
+        self.initial_weight, OptionRange{1, 1e6});
+    field({"weight_step", "what the next w is below the bound that is proven"}, self.weight_step,
+          OptionRange{0.01, 1e6});
+  }
+};
+
 /// The options of `bfs`.
 struct BfsOptions {
   static constexpr std::string_view kPlanner = "bfs";  // its name

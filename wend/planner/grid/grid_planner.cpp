@@ -107,7 +107,7 @@ void GridPlanner::assess(Plan& out) {
   out.cost = !any_angle_                      ? grid_path_cost(free_space(), cells)
              : free_space().uniform_terrain() ? out.path.length()
                                               : any_angle_path_cost(free_space(), cells);
-  out.bound = bound_;
+  out.bound = engine_->bound().value_or(bound_);
 }
 
 std::string GridPlanner::do_reason(const Query& query, Status status) const {

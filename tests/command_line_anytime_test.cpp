@@ -1,0 +1,91 @@
+// `wend plan --planner ara_star`: the paths that it tells, and their plot.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command_line/run_program.hpp"
+
+namespace wend::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+// The start is in a pocket that opens away from the goal.
+constexpr const char* kPocket =
+    "................\n"
+    ".###########....\n"
+    "...........#....\n"
+    "...........#....\n"
+    ".###########....\n"
+    "................\n";
+
+class AnytimeCommand : public testing::Test {
+ protected:
+  Outcome plan(const std::vector<std::string>& more,
+               const std::string& planner = "ara_star") const {
+    std::vector<std::string> arguments{"plan",   map_,   "--start",   "5,2",
+                                       "--goal", "15,2", "--planner", planner};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return wend(std::move(arguments));
+  }
+
+  TemporaryFolder folder_;
+  std::string map_ = folder_.write("pocket.txt", kPocket);
+};
+
+TEST_F(AnytimeCommand, ListsItsPaths) {
+  const Outcome outcome = plan({});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(outcome.out, HasSubstr("paths     after"));
+  EXPECT_THAT(outcome.out, HasSubstr("expanded: cost"));
+  EXPECT_THAT(outcome.out, HasSubstr("quality   optimal"));
+}
+
+TEST_F(AnytimeCommand, HasItsPathsInTheJson) {
+  const json answer = json::parse(plan({"--format", "json", "--initial-weight", "10"}).out);
+  const json& solutions = answer.at("solutions");
+  ASSERT_GT(solutions.size(), 1U);
+  for (std::size_t i = 1; i < solutions.size(); ++i) {
+    for (const char* key : {"cost", "bound"}) {
+      EXPECT_LE(solutions[i].at(key).get<double>(), solutions[i - 1].at(key).get<double>());
+    }
+    EXPECT_GE(solutions[i].at("search_us"), solutions[i - 1].at("search_us"));
+  }
+  EXPECT_EQ(solutions.back().at("bound"), 1);
+  EXPECT_EQ(solutions.back().at("cost"), answer.at("cost"));
+  EXPECT_EQ(solutions.back().at("expanded"), answer.at("metrics").at("expanded"));
+}
+
+TEST_F(AnytimeCommand, AnswersAtALimitWithItsBestPath) {
+  const json all = json::parse(plan({"--format", "json", "--initial-weight", "10"}).out);
+  const auto first = all.at("solutions").front().at("expanded").get<std::uint64_t>();
+  const std::vector<std::string> limited{"--format", "json", "--initial-weight", "10",
+                                         "--limit-expansions"};
+  std::vector<std::string> enough = limited;
+  enough.push_back(std::to_string(first));
+  const json answer = json::parse(plan(enough).out);
+  EXPECT_EQ(answer.at("status"), "found");
+  EXPECT_GT(answer.at("bound"), 1);
+  EXPECT_EQ(answer.at("metrics").at("expanded"), first);
+  std::vector<std::string> too_few = limited;
+  too_few.emplace_back("2");
+  const Outcome outcome = plan(too_few);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("expansion_limit"), HasSubstr("\"solutions\":[]")));
+}
+
+TEST_F(AnytimeCommand, PlotsOnlyWhatIsAnytime) {
+  const Outcome outcome = plan({"--plot", (folder_ / "bounds.svg").string()}, "astar");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--plot changes nothing for the planner astar"));
+  EXPECT_THAT(plan({"--format", "json"}, "astar").out, Not(HasSubstr("solutions")));
+}
+
+}  // namespace
+}  // namespace wend::test

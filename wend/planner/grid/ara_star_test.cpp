@@ -1,0 +1,199 @@
+// ara_star: what its paths cost, against astar, and what its limits leave. conformance/anytime_checks.cpp holds its
+// bounds against an independent search.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+#include "conformance/random_map.hpp"
+#include "tests/testing/drawn_map.hpp"
+#include "wend/base/random.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/planner/planner_options.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+struct AnytimeAnswer {
+  Status status;
+  Plan plan;
+  std::vector<Plan> told;
+};
+
+AnytimeAnswer anytime_answer(Planner& planner, Query query) {
+  AnytimeAnswer answer{Status::found, {}, {}};
+  query.on_solution = [&](const Plan& plan) { answer.told.push_back(plan); };
+  answer.status = planner.plan(query, answer.plan);
+  return answer;
+}
+
+/// The start is in a pocket that opens away from the goal.
+const FreeSpace& trap() {
+  static const FreeSpace space = test::drawn_space(R"(
+............................
+............................
+..###################.......
+....................#.......
+....................#.......
+....................#.......
+..###################.......
+............................
+............................
+)");
+  return space;
+}
+
+TEST(AraStar, FindsCheaperPathsUntilTheCheapest) {
+  const auto planner = make_planner(trap(), AraStarOptions{.initial_weight = 20, .weight_step = 1});
+  const auto optimum = make_planner(trap(), AStarOptions{});
+  const Query query = Query::between({4, 4}, {26, 4});
+  const AnytimeAnswer answer = anytime_answer(**planner, query);
+  ASSERT_EQ(answer.status, Status::found);
+  ASSERT_GT(answer.told.size(), 1U);
+  EXPECT_TRUE(answer.plan.optimal());
+  EXPECT_EQ(answer.told.back().path, answer.plan.path);
+  EXPECT_NEAR(answer.plan.cost, (*optimum)->plan(query)->cost, 1e-9);
+  EXPECT_GT(answer.told.front().bound, 1);
+  EXPECT_LT(answer.told.front().metrics.expanded, answer.plan.metrics.expanded);
+}
+
+TEST(AraStar, WithAWeightOfOneIsAStar) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const FreeSpace space = *make_free_space(test::random_map(random, 20, 20));
+    const auto planner = make_planner(space, AraStarOptions{.initial_weight = 1});
+    const auto astar = make_planner(space, AStarOptions{.leaps = false});
+    const Query query =
+        Query::between(test::random_cell(random, 20, 20), test::random_cell(random, 20, 20));
+    const AnytimeAnswer answer = anytime_answer(**planner, query);
+    Plan expected;
+    EXPECT_EQ((*astar)->plan(query, expected), answer.status);
+    if (answer.status != Status::found) continue;
+    EXPECT_THAT(answer.told, SizeIs(1));
+    EXPECT_NEAR(answer.plan.cost, expected.cost, 1e-9 * expected.cost);
+    EXPECT_LE(answer.plan.metrics.expanded, expected.metrics.expanded);
+  }
+}
+
+TEST(AraStar, AnswersAtATimeLimitWithItsBestPath) {
+  const auto planner = make_planner(trap(), AraStarOptions{.initial_weight = 20, .weight_step = 1});
+  Query query = Query::between({4, 4}, {26, 4});
+  const AnytimeAnswer all = anytime_answer(**planner, query);
+  double now = 0;
+  query.limits.clock = [&] { return now; };
+  query.limits.seconds = 1;
+  // The clock strikes with the first path.
+  Plan plan;
+  query.on_solution = [&](const Plan&) { now = 2; };
+  query.limits.expansions = all.told.front().metrics.expanded + 1;
+  ASSERT_EQ((*planner)->plan(query, plan), Status::found);
+  EXPECT_LE(plan.cost, all.told.front().cost);
+  EXPECT_GT(plan.bound, 1);
+  EXPECT_LE(plan.cost, plan.bound * all.plan.cost * (1 + 1e-9));
+}
+
+TEST(AraStar, HasNoAnswerBeforeItsFirstPath) {
+  const auto planner = make_planner(trap(), AraStarOptions{});
+  Query query = Query::between({4, 4}, {26, 4});
+  query.limits.expansions = 3;
+  const AnytimeAnswer answer = anytime_answer(**planner, query);
+  EXPECT_EQ(answer.status, Status::expansion_limit);
+  EXPECT_THAT(answer.told, IsEmpty());
+  EXPECT_TRUE(answer.plan.path.empty());
+}
+
+TEST(AraStar, LeavesNoPathWhenItIsCancelled) {
+  const auto planner = make_planner(trap(), AraStarOptions{.initial_weight = 20, .weight_step = 1});
+  std::atomic<bool> cancel = false;
+  Query query = Query::between({4, 4}, {26, 4});
+  query.limits.cancel = &cancel;
+  Plan plan;
+  auto outcome = (*planner)->begin(query, plan);
+  int steps = 0;
+  while (!outcome && plan.path.empty()) {
+    outcome = (*planner)->step(plan);
+    ++steps;
+  }
+  ASSERT_FALSE(outcome) << "it goes on after its first path";
+  EXPECT_LT(plan.cost, Plan::kNoBound);
+  // The flag is read every kExpansionsBetweenClockReads expansions, and this map is small.
+  cancel = true;
+  outcome = (*planner)->begin(query, plan);
+  while (!outcome) outcome = (*planner)->step(plan);
+  EXPECT_EQ(*outcome, Status::cancelled);
+  EXPECT_TRUE(plan.path.empty());
+}
+
+TEST(AraStar, TellsTheSameWhenItIsStepped) {
+  const auto planner = make_planner(trap(), AraStarOptions{.initial_weight = 20, .weight_step = 1});
+  Query query = Query::between({4, 4}, {26, 4});
+  const AnytimeAnswer expected = anytime_answer(**planner, query);
+  std::vector<double> bounds;
+  query.on_solution = [&](const Plan& plan) { bounds.push_back(plan.bound); };
+  Plan plan;
+  auto outcome = (*planner)->begin(query, plan);
+  while (!outcome) outcome = (*planner)->step(plan);
+  ASSERT_EQ(*outcome, Status::found);
+  std::vector<double> expected_bounds;
+  for (const Plan& each : expected.told) expected_bounds.push_back(each.bound);
+  EXPECT_EQ(bounds, expected_bounds);
+  EXPECT_EQ(plan.path, expected.plan.path);
+}
+
+TEST(OtherPlanners, TellTheirOnlyPath) {
+  const auto planner = make_planner(trap(), AStarOptions{});
+  const AnytimeAnswer answer = anytime_answer(**planner, Query::between({4, 4}, {26, 4}));
+  ASSERT_THAT(answer.told, SizeIs(1));
+  EXPECT_EQ(answer.told.front().path, answer.plan.path);
+}
+
+/// The expansions until the proof, over those of astar.
+double work_beside_astar(const FreeSpace& space, std::uint64_t seed) {
+  const auto planner = make_planner(space, AraStarOptions{});
+  const auto astar = make_planner(space, AStarOptions{.leaps = false});
+  Random random(seed);
+  double logarithms = 0;
+  int found = 0;
+  Plan plan;
+  Plan expected;
+  while (found < 40) {
+    const Query query = Query::between(test::random_cell(random, space.width(), space.height()),
+                                       test::random_cell(random, space.width(), space.height()));
+    if ((*astar)->plan(query, expected) != Status::found) continue;
+    EXPECT_EQ((*planner)->plan(query, plan), Status::found);
+    EXPECT_NEAR(plan.cost, expected.cost, 1e-9 * expected.cost);
+    EXPECT_TRUE(plan.optimal());
+    logarithms += std::log(static_cast<double>(plan.metrics.expanded) /
+                           static_cast<double>(expected.metrics.expanded));
+    ++found;
+  }
+  return std::exp(logarithms / found);
+}
+
+TEST(AraStar, DoesAtMostTwoAndAHalfTimesTheWorkOfAStar) {
+  double logarithms = 0;
+  int maps = 0;
+  for (const char* name : {"random", "maze", "rooms", "office", "warehouse", "rough"}) {
+    const auto map = make_map(name, 121, 121, 1);
+    ASSERT_TRUE(map) << name;
+    const double work = work_beside_astar(*make_free_space(*map), 5);
+    std::cout << name << ": " << work << " times the expansions of astar\n";
+    logarithms += std::log(work);
+    ++maps;
+  }
+  const double mean = std::exp(logarithms / maps);
+  std::cout << "geometric mean " << mean << '\n';
+  EXPECT_LE(mean, 2.5);
+}
+
+}  // namespace
+}  // namespace wend
