@@ -131,12 +131,12 @@ describe('the page', () => {
     await page.getByText(/^expanded as number/).waitFor();
     const before = await chain();
     expect(before.length).toBeGreaterThan(9);
-    await page.getByLabel('Seed').fill('9');
-    await page.getByLabel('Seed').press('Enter');
+    await page.getByLabel('Seed', { exact: true }).fill('9');
+    await page.getByLabel('Seed', { exact: true }).press('Enter');
     await page.getByText('rooms, seed 9').waitFor();
     await expect.poll(chain).not.toEqual(before);
     // The pointer stays where it is.
-    await page.getByLabel('Seed').evaluate((field) => (field as HTMLElement).blur());
+    await page.getByLabel('Seed', { exact: true }).evaluate((field) => (field as HTMLElement).blur());
     await page.keyboard.press('Control+z');
     await expect.poll(chain).toEqual(before);
     await page.getByLabel('Columns').fill('30');
