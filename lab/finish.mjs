@@ -8,8 +8,8 @@ const here = new URL('.', import.meta.url).pathname;
 const site = join(here, '../build/lab/site');
 // Bytes, gzipped, of all that a first visit loads; of the one file. A build that exceeds them fails. All planners are
 // in the module: most of it is their code, and a new planner adds some 25,000.
-const mostOfSite = 645_000;
-const mostOfFile = 950_000;
+const mostOfSite = 665_000;
+const mostOfFile = 980_000;
 
 const parts = join(here, '../build/lab/file');
 

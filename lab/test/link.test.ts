@@ -143,5 +143,5 @@ describe('links', () => {
     const cells = Uint8Array.from({ length: 1 << 20 }, () => (random() < 0.5 ? 0 : 1));
     const map: MapDocument = { name: '', width: 1024, height: 1024, frame: plainFrame, cells, version: 0 };
     expect(linkOf({ ...initialState, map }, 0)).toBeNull();
-  });
+  }, 120_000);
 });

@@ -131,12 +131,12 @@ describe('the page', () => {
     await page.getByText(/^expanded as number/).waitFor();
     const before = await chain();
     expect(before.length).toBeGreaterThan(9);
-    await page.getByLabel('Seed').fill('9');
-    await page.getByLabel('Seed').press('Enter');
+    await page.getByLabel('Seed', { exact: true }).fill('9');
+    await page.getByLabel('Seed', { exact: true }).press('Enter');
     await page.getByText('rooms, seed 9').waitFor();
     await expect.poll(chain).not.toEqual(before);
     // The pointer stays where it is.
-    await page.getByLabel('Seed').evaluate((field) => (field as HTMLElement).blur());
+    await page.getByLabel('Seed', { exact: true }).evaluate((field) => (field as HTMLElement).blur());
     await page.keyboard.press('Control+z');
     await expect.poll(chain).toEqual(before);
     await page.getByLabel('Columns').fill('30');
@@ -386,6 +386,12 @@ describe('the page', () => {
     test(`is accessible in ${colorScheme} colours`, async () => {
       await page.emulateMedia({ colorScheme });
       await page.getByText('Options', { exact: true }).click();
+      await page.getByLabel('Controller').selectOption('pid');
+      await page.getByText(/^The robot reached the goal/).waitFor();
+      await page.getByLabel('Random queries').fill('9');
+      await page.getByLabel('Random queries').press('Enter');
+      await page.getByRole('button', { name: 'Ask them' }).click();
+      await page.getByText('9 random queries are answered.').waitFor({ state: 'attached' });
       await page.evaluate(await readFile(new URL('../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8'));
       const found = await page.evaluate(async () => {
         const { axe } = window as unknown as { axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> } };

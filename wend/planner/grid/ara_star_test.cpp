@@ -118,11 +118,7 @@ TEST(AraStar, LeavesNoPathWhenItIsCancelled) {
   query.limits.cancel = &cancel;
   Plan plan;
   auto outcome = (*planner)->begin(query, plan);
-  int steps = 0;
-  while (!outcome && plan.path.empty()) {
-    outcome = (*planner)->step(plan);
-    ++steps;
-  }
+  while (!outcome && plan.path.empty()) outcome = (*planner)->step(plan);
   ASSERT_FALSE(outcome) << "it goes on after its first path";
   EXPECT_LT(plan.cost, Plan::kNoBound);
   // The flag is read every kExpansionsBetweenClockReads expansions, and this map is small.
