@@ -36,8 +36,7 @@ class WeightedEstimate : public TowardsGoals {
   using Key = RealKey<Cost>;
 
   explicit WeightedEstimate(HeuristicKind kind)
-      : kind_(kind),
-        shorter_(kind == HeuristicKind::manhattan ? Least::kStraight
+      : shorter_(kind == HeuristicKind::manhattan ? Least::kStraight
                                                   : Least::kDiagonal - Least::kStraight) {}
 
   void weigh(double weight) { weight_ = weight; }
@@ -48,9 +47,7 @@ class WeightedEstimate : public TowardsGoals {
   Cost total(const GridState& state, Cost g) const { return g + units(state.cell); }
   bool near_overflow(const Key& /*key*/) const { return false; }
 
-  double h(Cell cell) const {
-    return goals_.least(cell, [&](Cell goal) { return heuristic_value(kind_, 0, cell, goal); });
-  }
+  double h(Cell cell) const { return static_cast<double>(units(cell)) / Space::kUnitsPerCell; }
   double f(Cell cell, double g) const { return g + weight_ * h(cell); }
 
  private:
@@ -64,7 +61,6 @@ class WeightedEstimate : public TowardsGoals {
     });
   }
 
-  HeuristicKind kind_;
   Cost shorter_;
   double weight_ = 1;
 };
