@@ -15,27 +15,22 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-// The start is in a pocket that opens away from the goal.
-constexpr const char* kPocket =
-    "................\n"
-    ".###########....\n"
-    "...........#....\n"
-    "...........#....\n"
-    ".###########....\n"
-    "................\n";
-
 class AnytimeCommand : public testing::Test {
  protected:
+  void SetUp() override {
+    ASSERT_EQ(wend({"generate", "rooms", "--size", "201x101", "--seed", "1", "-o", map_}).code, 0);
+  }
+
   Outcome plan(const std::vector<std::string>& more,
                const std::string& planner = "ara_star") const {
-    std::vector<std::string> arguments{"plan",   map_,   "--start",   "5,2",
-                                       "--goal", "15,2", "--planner", planner};
+    std::vector<std::string> arguments{"plan",   map_,     "--start",   "1,1",
+                                       "--goal", "199,99", "--planner", planner};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return wend(std::move(arguments));
   }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("pocket.txt", kPocket);
+  std::string map_ = folder_ / "rooms.txt";
 };
 
 TEST_F(AnytimeCommand, ListsItsPaths) {
