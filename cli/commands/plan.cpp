@@ -29,7 +29,7 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
   wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
   wend plan office.yaml --planner lattice --start 1,1,E --goal 15,9,N
-  wend plan arena.map --planner ara_star --limit-time 0.05 --start 1,11 --goal 40,30
+  wend plan grid.txt --planner ara_star --limit-time 0.05 --start 0,0 --goal 9,9
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth --trajectory drive.csv
   wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv

@@ -2,9 +2,7 @@
 
 // AnytimeSearch: ARA*, a best-first search that finds a path soon and better ones as long as it may go on.
 // M. Likhachev, G. Gordon and S. Thrun, "ARA*: Anytime A* with Provable Bounds on Sub-Optimality", 2003.
-//
-//   search.begin(start, limits);
-//   while (search.run() == SearchOutcome::improved) show(search.goal(), search.bound());
+// Each call of run() after begin() ends with SearchOutcome::improved at a better path, until the best one is proven.
 //
 // Each round is a weighted A*, f = g + w h, that expands a state at most once; a state that is reached more
 // cheaply after that waits for the next round. A round ends when no open state has an f below the cost of the
