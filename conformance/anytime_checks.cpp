@@ -67,8 +67,8 @@ void hold_to_their_order(Examination& examination, const Told& told) {
   }
   if (told.plans.empty() || !(told.plans.back().path == told.answer.plan.path) ||
       told.plans.back().bound != told.answer.plan.bound) {
-    examination.violate("the answer is told last: " + text_of(told.answer),
-                        told.plans.empty() ? "nothing was told" : text_of(told.plans.back()));
+    examination.violate("the last reported path is the answer: " + text_of(told.answer),
+                        told.plans.empty() ? "no path was reported" : text_of(told.plans.back()));
   }
 }
 
@@ -85,7 +85,7 @@ void hold_to_its_limit(Examination& examination, Planner& planner, Query query, 
   if (!(told.answer == told_by(planner, query).answer)) {
     examination.violate(text_of(told.answer), "another answer at the same limit");
   }
-  // All that was told without the limit by then was told with it, and the answer is no worse.
+  // Paths found before the limit are reported with and without it, and the answer is at least as good.
   for (std::size_t i = 0; i < all.plans.size() && all.plans[i].metrics.expanded <= limit; ++i) {
     const bool same = i < told.plans.size() && told.plans[i].cost == all.plans[i].cost;
     if (!same) examination.violate(text_of(all.plans[i]), text_of(told.answer));

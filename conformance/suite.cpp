@@ -36,7 +36,7 @@ std::vector<ConformanceCheck> make_checks() {
        examine_pose_answers, conclude_answers},
       {"start_is_goal", "a start that is the goal is a path of one cell", 12, 0, on_cells,
        examine_start_is_goal, nullptr},
-      {"anytime", "every path that is told has a true bound; costs and bounds never rise", 2, 0,
+      {"anytime", "every reported path has a true bound; costs and bounds never rise", 2, 0,
        anytime_on_cells, examine_anytime, nullptr},
       {"status", "says why a query cannot be answered", 0, 1, always, examine_status, nullptr},
       {"limits", "stops at its limits, with the right status", 0, 1, always, examine_limits,

@@ -378,7 +378,7 @@ void PlanRun::write_files() const {
 
 void PlanRun::write_plot() const {
   if (result_.solutions.empty()) {
-    return complain("--plot: there is no path, so " + arguments_.plot + " is not written");
+    return complain("--plot: no path was found; " + arguments_.plot + " is not written");
   }
   const std::string script = solution_plot(result_.solutions, plot_kind_of(arguments_.plot),
                                            plot_colours_of(arguments_.pictures.style));

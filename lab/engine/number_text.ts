@@ -13,7 +13,7 @@ export function shortestText(value: number): string {
   return sign + (exponent >= digits.length ? BigInt(Math.abs(value)).toString() : fixed);
 }
 
-/** With so many significant digits, as in printf's %g. */
+/** Writes a number with the given number of significant digits, as printf's %g does. */
 export function generalText(value: number, digits: number): string {
   if (!Number.isFinite(value)) return notFinite(value);
   const sign = value < 0 || Object.is(value, -0) ? '-' : '';

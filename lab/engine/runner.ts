@@ -111,7 +111,7 @@ export class Runner {
     this.range = 'error' in range ? null : range;
   }
 
-  /** Places near both ends where a robot of this shape fits; a failure if there is no such robot or map. */
+  /** Places near both ends where a robot of this shape fits. Fails if the shape or the map is invalid. */
   async places(state: State, footprint: string, headings: boolean): Promise<Places | Failure> {
     this.footprint = footprint;
     const robot = await this.engine.call('robot', footprint, 0, 4, false);

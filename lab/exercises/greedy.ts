@@ -8,7 +8,7 @@ export const budget = 40;
 export const wanted = 1.3;
 
 export interface Attempt {
-  /** How many times the cheapest cost greedy's path costs; null: there is no path, or no answer. */
+  /** Cost of greedy's path over the lowest cost; null: no path, or no answer yet. */
   ratio: number | null;
   changed: number;
 }
@@ -28,7 +28,7 @@ export function told(attempt: Attempt, best: number): string {
   const { ratio, changed } = attempt;
   const cells = `${changed} of ${budget} cells changed.`;
   if (changed > budget) return `${cells} That is too many: take some back.`;
-  if (ratio === null) return `${cells} There is no path: it does not count.`;
+  if (ratio === null) return `${cells} There is no path, so this attempt does not count.`;
   const now = `Greedy pays ${ratio.toFixed(2)} times the cheapest. ${cells}`;
   return best >= wanted ? `${now} Greedy is broken: ${best.toFixed(2)} times is your best.` : `${now} Make it ${wanted} times.`;
 }

@@ -38,7 +38,7 @@ export class ChartsPanel extends LitElement {
   declare state: State;
   declare version: string;
   declare samples: { of: State; all: Sample[] } | null;
-  /** Queries that are done; -1: none is asked. */
+  /** Number of finished queries; -1: no run was started. */
   declare done: number;
   declare measure: Measure;
   private count = 200;

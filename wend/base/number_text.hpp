@@ -12,7 +12,8 @@ namespace wend {
 /// The shortest text that read_number reads back as the same number, as std::to_chars writes it.
 std::string shortest_text(double value);
 
-/// With so many significant digits (at most 20), as in printf's %g. The magnitude is below 1e30.
+/// Writes a number with the given number of significant digits (at most 20), as printf's %g does. The
+/// magnitude is below 1e30.
 std::string general_text(double value, int digits);
 
 /// Parses the whole text, as std::from_chars does. Returns why it is not a number that a double holds; std::errc{}

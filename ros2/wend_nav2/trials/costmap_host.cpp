@@ -55,6 +55,7 @@ CostmapHost::CostmapHost(const wend::GridMap& map, double seconds)
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (!has(map)) {
     if (std::chrono::steady_clock::now() > end) throw std::runtime_error("the costmap has no map");
+    // Costmap2DROS has no call that waits for its map.
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   costmap_->pause();

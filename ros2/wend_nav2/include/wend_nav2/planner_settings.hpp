@@ -70,7 +70,8 @@ struct PluginOptions {
     field({"smooth", "smooth the paths of planners on cells"}, self.smooth);
     field({"replan", "keep what a search found for the next call, and repair it after changes"},
           self.replan);
-    field({"explain", "say at length why there is no path, which may take longer than the search"},
+    field({"explain",
+           "log a detailed reason when there is no path; this may take longer than the search"},
           self.explain);
     field({"spacing", "distance of the poses of a path, m; 0: that of the costmap's cells"},
           self.spacing, {0, 10});

@@ -203,6 +203,7 @@ class SmootherPlugin : public Plugins {
     footprint_topic_->publish(footprint);
     for (int i = 0; i < 100 && !has_both(); ++i) {
       rclcpp::spin_some(node_of_topics_);
+      // The subscribers of Nav2 have no call that waits for a message.
       rclcpp::sleep_for(std::chrono::milliseconds(20));
     }
     ASSERT_TRUE(has_both());
