@@ -40,6 +40,12 @@ bool label_corners(const TautGraph& graph, TautLabelling& labelling,
   return !building.cancelled();
 }
 
+bool has_too_long_paths(const TautLabelling& labelling) {
+  return std::ranges::any_of(labelling.entries(), [](const TautLabelling::Entry& entry) {
+    return entry.length > TautLabelSections::kLongestPath;
+  });
+}
+
 }  // namespace
 
 Expected<IndexBytes, Error> build_euclidean_index(const BitGrid& passable,
@@ -64,6 +70,9 @@ Expected<IndexBytes, Error> build_euclidean_index(const BitGrid& passable,
   building.tell(kMapShare);
   TautLabelling labelling(map->graph());
   if (!label_corners(map->graph(), labelling, building)) return cancelled();
+  if (has_too_long_paths(labelling)) {
+    return unsupported("its paths are too long for a Euclidean label index");
+  }
   building.tell(kLabelsShare);
   IndexWriter writer(kEuclideanLabels, TautLabelSections::kVersion, passable);
   TautLabelArrays(*map, labelling).write(writer);

@@ -11,7 +11,8 @@
 //
 // A path does not pass between two cells that touch diagonally, the other two being blocked.
 //
-// Limits: 65536 corners, and 256 bytes a cell and 4 MiB for what corners see, while the index is built.
+// Limits: 65536 corners; 256 bytes a cell and 4 MiB for what corners see, while the index is built; no path to a hub may
+// be longer than 16.7 million cells.
 
 #include <cstdint>
 #include <memory>

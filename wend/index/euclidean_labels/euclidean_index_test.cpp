@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -160,15 +159,6 @@ TEST(EuclideanIndex, NamesItsLimitOfCorners) {
   EXPECT_EQ(index.error().status, Status::unsupported_map);
   EXPECT_THAT(index.error().message, HasSubstr("78400 corners"));
   EXPECT_THAT(index.error().message, HasSubstr("at most 65536"));
-}
-
-TEST(EuclideanIndex, StopsWhenItIsCancelled) {
-  Random random(1);
-  const BitGrid free = random_floor(random, 24);
-  const std::atomic<bool> cancel{true};
-  const auto index = build_euclidean_index(free, {.cancel = &cancel});
-  ASSERT_FALSE(index);
-  EXPECT_EQ(index.error().status, Status::cancelled);
 }
 
 }  // namespace

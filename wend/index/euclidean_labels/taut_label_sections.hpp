@@ -47,7 +47,8 @@ struct SeenCorner {
 struct TautLabelSections {
   static constexpr std::uint32_t kVersion = 1;
   static constexpr std::size_t kMostCorners = 65536;
-  static constexpr int kSide = TautMap::kSide;  // of a block
+  static constexpr double kLongestPath = 1U << 24U;  // to a hub, in cells
+  static constexpr int kSide = TautMap::kSide;       // of a block
 
   enum class Section : std::uint8_t { corners, first_seen, seen, cells, entries };
 
