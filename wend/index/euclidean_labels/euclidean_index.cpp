@@ -138,7 +138,10 @@ void EuclideanEngine::for_each_hub(Cell cell, Visit&& visit) {
 bool EuclideanEngine::find(Cell start, Cell goal) {
   path_.clear();
   metrics_ = {1, 1, 1};
-  if (start == goal || portals_.sees(start, goal)) return true;
+  if (start == goal || portals_.sees(start, goal)) {
+    length_ = std::hypot(goal.x - start.x, goal.y - start.y);
+    return true;
+  }
   for_each_hub(start, [this](std::uint32_t hub, TautLength length, std::uint32_t entry) {
     Reached& reached = reached_[hub];
     if (length >= reached.length) return;
@@ -153,6 +156,7 @@ bool EuclideanEngine::find(Cell start, Cell goal) {
   for (const std::uint32_t hub : touched_) reached_[hub].length = kNoTautLength;
   touched_.clear();
   if (best.length == kNoTautLength) return false;
+  length_ = static_cast<double>(best.length) / static_cast<double>(kTautLengthUnit);
   append_corners(best.from_goal);
   std::ranges::reverse(path_);
   const auto middle = static_cast<std::ptrdiff_t>(path_.size());

@@ -48,6 +48,8 @@ class EuclideanEngine {
   /// Finds the shortest path between two free cells. False if the index knows none.
   bool find(Cell start, Cell goal);
 
+  /// The length of that path, in cells, to about 1e-10. Its corners give it more exactly.
+  double length() const { return length_; }
   const Portals& portals() const { return portals_; }
   /// The corners of Portals at which the path of the last find() turns, from the start to the goal. Those on a straight
   /// line are among them.
@@ -93,6 +95,7 @@ class EuclideanEngine {
   std::vector<Reached> reached_;  // of each hub; kNoTautLength between queries
   std::vector<std::uint32_t> touched_;
   std::vector<std::uint32_t> path_;
+  double length_ = 0;
   SearchMetrics metrics_;
 };
 
