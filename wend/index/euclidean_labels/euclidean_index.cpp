@@ -28,7 +28,7 @@ Failure cancelled() { return Failure({Status::cancelled, "the index was not fini
 /// Labels all corners. False if it was cancelled.
 bool label_corners(const TautGraph& graph, TautLabelling& labelling,
                    const IndexBuilding& building) {
-  const std::vector<std::uint32_t> order = taut_order(graph);
+  const std::vector<std::uint32_t> order = taut_order(graph, building);
   for (const std::uint32_t corner : order) {
     if (building.cancelled()) return false;
     if (labelling.hubs() % kHubsBetweenTelling == 0) {

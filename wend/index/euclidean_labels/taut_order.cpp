@@ -157,7 +157,7 @@ struct Candidate {
 
 }  // namespace
 
-std::vector<std::uint32_t> taut_order(const TautGraph& graph) {
+std::vector<std::uint32_t> taut_order(const TautGraph& graph, const IndexBuilding& building) {
   const auto corners = static_cast<std::uint32_t>(graph.portals().corners().size());
   const bool grows_new = graph.edges() < kFewEdges * corners;
   SampledTautTrees trees(graph);
@@ -175,7 +175,7 @@ std::vector<std::uint32_t> taut_order(const TautGraph& graph) {
     min_heap::push(queue, {queued[corner], at_first[corner], corner});
   };
   std::vector<std::uint32_t> order;
-  while (order.size() < corners) {
+  while (order.size() < corners && !building.cancelled()) {
     const Candidate best = min_heap::pop(queue);
     if (best.total != queued[best.corner]) continue;  // it was pushed again
     if (best.total != trees.total(best.corner)) {

@@ -10,11 +10,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "wend/index/index_building.hpp"
 #include "wend/sight/taut_graph.hpp"
 
 namespace wend {
 
-/// All corners of a graph. All its edges must be known. O(edges log corners) for each of some forty trees.
-std::vector<std::uint32_t> taut_order(const TautGraph& graph);
+/// All corners of a graph, or only some if the building is cancelled. All edges must be known. O(edges log corners) for
+/// each of some forty trees.
+std::vector<std::uint32_t> taut_order(const TautGraph& graph, const IndexBuilding& building);
 
 }  // namespace wend
