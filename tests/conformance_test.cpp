@@ -40,7 +40,11 @@ class Conformance : public ::testing::TestWithParam<std::tuple<std::string, std:
   }
 };
 
-TEST_P(Conformance, HoldsOnRandomMaps) { expect_no_violation(share_of(kMaps)); }
+/// Searches for poses take long under the sanitizer; for cells, few maps have too few paths to say anything.
+TEST_P(Conformance, HoldsOnRandomMaps) {
+  const PlannerInfo& planner = *planners().find(std::get<0>(GetParam()));
+  expect_no_violation(planner.capabilities.headings ? share_of(kMaps) : kMaps);
+}
 
 std::string name_of(const ::testing::TestParamInfo<Conformance::ParamType>& test) {
   return std::get<0>(test.param) + "_" + std::get<1>(test.param);

@@ -216,8 +216,8 @@ def test_registries_describe_themselves() -> None:
 
 def test_solutions_get_better_until_the_best() -> None:
     space = room()
-    best = space.plan((0.55, 0.05), (2.55, 1.95))
-    plans = list(space.solutions((0.55, 0.05), (2.55, 1.95), initial_weight=10, weight_step=0.5))
+    best = space.plan((0.55, 0.15), (2.55, 1.85))
+    plans = list(space.solutions((0.55, 0.15), (2.55, 1.85), initial_weight=10, weight_step=0.5))
     costs, bounds = [plan.cost for plan in plans], [plan.bound for plan in plans]
     assert costs == sorted(costs, reverse=True)
     assert bounds == sorted(bounds, reverse=True)
@@ -229,7 +229,7 @@ def test_solutions_get_better_until_the_best() -> None:
 
 def test_solutions_end_at_a_limit_with_the_answer_of_plan() -> None:
     space = room()
-    ends = ((0.55, 0.05), (2.55, 1.95))
+    ends = ((0.55, 0.15), (2.55, 1.85))
     needed = space.plan(*ends, planner="ara_star").metrics.expanded
     for expansions in range(needed // 2, needed + 1, 7):
         try:

@@ -45,7 +45,7 @@ wend::Expected<PlannerSettings, wend::Error> settings_from(std::string_view plan
       of_plugin.emplace_back(name, value);
       continue;
     }
-    if (std::string fault = wend::option_text::fault_of(*own, value); !fault.empty()) {
+    if (const std::string fault = wend::option_text::fault_of(*own, value); !fault.empty()) {
       return wend::Unexpected<wend::Error>(wend::option_text::option_error(name, fault));
     }
     // Some defaults stand for what the planner chooses by itself.
