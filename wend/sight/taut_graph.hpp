@@ -72,6 +72,10 @@ class TautGraph {
   Edges known_ahead(std::uint32_t edge_id) const {
     return {edges_[edge_id].begin, edges_[edge_id].end};
   }
+  /// All edges of a corner.
+  Edges known_edges_of(std::uint32_t corner) const {
+    return {fans_[corner].begin, fans_[corner].end};
+  }
   Edges known_ahead_of(std::uint32_t corner, Ray ray) const {
     return ahead_in(fans_[corner], corner, ray);
   }

@@ -41,9 +41,18 @@ class TautMap {
     }
   }
 
- private:
   static constexpr int kSide = 8;  // of a block
 
+  /// Blocks count from the cells at (0, 0), row after row.
+  std::size_t blocks() const { return first_.size() - 1; }
+  std::size_t blocks_a_row() const { return columns_; }
+  /// Calls tell(corner, cells) for the corners that a block sees, where bit 8 y + x is set for its cells that do.
+  template <class Tell>
+  void for_each_word(std::size_t block, Tell&& tell) const {
+    for (std::uint32_t i = first_[block]; i < first_[block + 1]; ++i) tell(corners_[i], words_[i]);
+  }
+
+ private:
   /// Where a block sees a corner.
   struct Entry {
     std::uint32_t block;

@@ -5,9 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "wend/path/simplification.hpp"
-#include "wend/robot/fits_along.hpp"
-#include "wend/sight/cell_trail.hpp"
+#include "wend/planner/any_angle/taut_path.hpp"
 
 namespace wend {
 namespace {
@@ -36,11 +34,6 @@ CellAtCorner cell_at(const TautCorner& corner) {
   }
   return corner.rising == 1 ? CellAtCorner{high_right, -3 * kQuarter}
                             : CellAtCorner{low_right, 3 * kQuarter};
-}
-
-/// Does a path go straight on at b, from a to c? Exact for centres and vertices.
-bool goes_straight_on(Point a, Point b, Point c) {
-  return (b.x - a.x) * (c.y - b.y) == (b.y - a.y) * (c.x - b.x);
 }
 
 }  // namespace
@@ -141,31 +134,19 @@ void TautEngine::write_path(Path& path) const {
   }
   path.go_to(search_.point(id));
   path.reverse();
-  if (!space_.is_point() && !fits(path)) write_pulled_trail(path);
+  if (!space_.is_point() && !disc_fits_along_path(space_, path, adjacency_)) pull_trail(path);
 }
 
-bool TautEngine::fits(const Path& path) const {
-  const std::span<const Point> waypoints = path.waypoints();
-  for (std::size_t i = 1; i < waypoints.size(); ++i) {
-    if (!disc_fits_along(space_, Line{waypoints[i - 1], waypoints[i]}, adjacency_)) return false;
-  }
-  return true;
-}
-
-/// The path through the centres of the cells that the taut one passes, pulled taut for the robot.
-void TautEngine::write_pulled_trail(Path& path) const {
+/// In place of a path that does not fit.
+void TautEngine::pull_trail(Path& path) const {
   std::vector<std::uint32_t> corners;
   for (TautSearch::Id id = search_.parent(search_.goal()); !search_.is_start(id);
        id = search_.parent(id)) {
     corners.push_back(id);
   }
   std::ranges::reverse(corners);
-  std::vector<Cell> cells;
-  write_trail(search_.portals(), search_.cell_of_start(), corners, search_.cell(search_.goal()),
-              cells);
-  const Path pulled = string_pulled(Path(std::move(cells)), space_, adjacency_);
-  path.clear();
-  for (const Point point : pulled.waypoints()) path.go_to(point);
+  write_pulled_trail(space_, adjacency_, search_.portals(), search_.cell_of_start(), corners,
+                     search_.cell(search_.goal()), path);
 }
 
 }  // namespace wend

@@ -38,8 +38,7 @@ class TautEngine final : public GridEngine {
   SearchEvent event(TautSearch::Id id) const;
   template <class Action>
   void watched(Action&& action);
-  bool fits(const Path& path) const;
-  void write_pulled_trail(Path& path) const;
+  void pull_trail(Path& path) const;
 
   FreeSpace space_;
   Adjacency adjacency_;

@@ -23,12 +23,13 @@ PlannerInfo corner_hierarchy_planner() {
        .bytes_per_cell = 5,
        .when = "For many queries on one map, with a small index built within seconds. hub_labels "
                "answers faster and builds longer.",
+       .guarantee = Guarantee::optimal,
        .preprocessing = Preprocessing::quick},
       {.build =
            [](const BitGrid& passable, const IndexBuilding& building) {
              return build_corner_hierarchy(passable, building);
            },
-       .open = open_corner_hierarchy});
+       .open = opening_in_steps(open_corner_hierarchy)});
 }
 
 }  // namespace wend

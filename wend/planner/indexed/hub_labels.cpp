@@ -18,8 +18,9 @@ PlannerInfo hub_labels_planner() {
            "thread",
        .bytes_per_cell = 0.5,
        .when = "For many queries on one map. Building the index takes seconds.",
+       .guarantee = Guarantee::optimal,
        .preprocessing = Preprocessing::slow},
-      {.build = build_hub_index, .open = open_hub_index});
+      {.build = build_hub_index, .open = opening_in_steps(open_hub_index)});
 }
 
 }  // namespace wend

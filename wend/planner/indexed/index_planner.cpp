@@ -6,7 +6,7 @@
 namespace wend {
 namespace {
 
-using EngineResult = Expected<std::unique_ptr<IndexEngine>, Error>;
+using AnswersResult = Expected<std::unique_ptr<IndexAnswers>, Error>;
 
 /// The status if a limit stops the query before any work.
 std::optional<Status> stopped(const Limits& limits) {
@@ -22,56 +22,81 @@ class IndexPlanner final : public Planner {
   /// Builds an index for another FreeSpace.
   using IndexBuilder = std::function<Expected<IndexBytes, Error>(const FreeSpace&)>;
   /// Opens an index.
-  using EngineOpener = std::function<EngineResult(const FreeSpace&, IndexBytes)>;
+  using Opener = std::function<AnswersResult(const FreeSpace&, IndexBytes)>;
+  /// Makes a planner for a FreeSpace that the index is not for; empty if there is none.
+  using Otherwise = std::function<PlannerResult(const FreeSpace&)>;
 
-  IndexPlanner(FreeSpace space, IndexBuilder build, EngineOpener open)
-      : Planner(std::move(space)), build_(std::move(build)), open_(std::move(open)) {}
+  IndexPlanner(FreeSpace space, IndexBuilder build, Opener open, Otherwise otherwise)
+      : Planner(std::move(space)),
+        build_(std::move(build)),
+        open_(std::move(open)),
+        otherwise_(std::move(otherwise)) {}
 
   /// Why the index cannot be used, if it cannot.
   std::optional<Error> use(IndexBytes index) {
-    most_cells_ = free_space().passable().count();
     auto opened = open_(free_space(), index);
     if (!opened) return why_none_ = opened.error();
-    engine_ = *std::move(opened);
+    answers_ = *std::move(opened);
     index_ = std::move(index);
+    return std::nullopt;
+  }
+
+  /// Builds an index, or makes the other planner if the index is not for this map. Why there is neither, if so.
+  std::optional<Error> build() {
+    auto built = build_(free_space());
+    if (built) return use(*std::move(built));
+    why_none_ = built.error();
+    if (!otherwise_ || why_none_.status != Status::unsupported_map) return why_none_;
+    auto other = otherwise_(free_space());
+    if (!other) return why_none_ = other.error();
+    other_ = *std::move(other);
     return std::nullopt;
   }
 
  private:
   std::optional<Status> do_check(const Query& query) override {
-    if (engine_ == nullptr) return why_none_.status;
+    if (other_ != nullptr) return std::nullopt;  // it checks
+    if (answers_ == nullptr) return why_none_.status;
     return cells_.assign(free_space(), Adjacency::edges, query);
   }
 
   Status do_plan(const Query& query, Plan& out) override {
+    if (other_ != nullptr) return ask_other(query, out);
     const Limits& limits = query.limits;
     if (const auto status = stopped(limits)) return *status;
     const double begin = limits.now();
     const Cell start = cells_.start;
     const Cell goal = nearest_goal(start, out.metrics);
-    const OctileSteps steps = start == goal ? OctileSteps{} : find(start, goal, out.metrics);
+    if (start != goal) find(start, goal, out.metrics);
     if (limits.timed() && limits.now() - begin > limits.seconds) return Status::time_limit;
     if (start == goal) {
-      out.path.append(cells_.start);
+      answers_->write_place(start, out.path);
       out.metrics = {1, 1, 1};
       out.cost = 0;
     } else {
-      // A shortest path never visits a cell twice: an index that says so was forged.
-      if (steps.cells() > most_cells_) return Status::index_mismatch;
-      engine_->write(out.path.make_cells(steps.cells()));
-      out.cost = steps.cost();
+      const auto cost = answers_->write(out.path);
+      if (!cost) return Status::index_mismatch;
+      out.cost = *cost;
     }
-    out.bound = 1;
+    out.bound = answers_->bound();
     return Status::found;
   }
 
-  OctileSteps find(Cell start, Cell goal, SearchMetrics& metrics) {
-    const OctileSteps steps = engine_->find(start, goal);
-    const SearchMetrics work = engine_->metrics();
+  Status ask_other(const Query& query, Plan& out) {
+    asked_.start = query.start;
+    asked_.goals = query.goals;
+    asked_.limits = query.limits;
+    asked_.observer = query.observer;
+    return other_->plan(asked_, out);  // Query::on_solution is told here
+  }
+
+  double find(Cell start, Cell goal, SearchMetrics& metrics) {
+    const double cost = answers_->find(start, goal);
+    const SearchMetrics work = answers_->metrics();
     metrics.expanded += work.expanded;
     metrics.generated += work.generated;
     metrics.max_frontier = std::max(metrics.max_frontier, work.max_frontier);
-    return steps;
+    return cost;
   }
 
   /// With one goal there is nothing to look up.
@@ -89,7 +114,7 @@ class IndexPlanner final : public Planner {
     if (goals_.size() == 1) return nearest;
     double least = std::numeric_limits<double>::infinity();
     for (const Cell goal : goals_) {
-      const double cost = goal == start ? 0 : find(start, goal, metrics).cost();
+      const double cost = goal == start ? 0 : find(start, goal, metrics);
       if (cost < least) nearest = goal;
       least = std::min(least, cost);
     }
@@ -97,36 +122,43 @@ class IndexPlanner final : public Planner {
   }
 
   std::string do_reason(const Query& query, Status status) const override {
-    if (engine_ == nullptr) return why_none_.message;
+    if (other_ != nullptr) return other_->reason(query, status);
+    if (answers_ == nullptr) return why_none_.message;
     return reason_in_cells(free_space(), query, status);
   }
 
   std::unique_ptr<Planner> do_clone() const override {
-    auto planner = std::make_unique<IndexPlanner>(free_space(), build_, open_);
-    if (engine_ == nullptr) {
-      planner->why_none_ = why_none_;
-    } else {
-      planner->use(*index_);  // NOLINT(bugprone-unchecked-optional-access): an engine has one
+    auto planner = std::make_unique<IndexPlanner>(free_space(), build_, open_, otherwise_);
+    planner->why_none_ = why_none_;
+    if (other_ != nullptr) planner->other_ = other_->clone();
+    if (answers_ != nullptr) {
+      planner->use(*index_);  // NOLINT(bugprone-unchecked-optional-access): answers have one
     }
     return planner;
   }
 
   /// An edit does not build the index again: that may take minutes. The index is used as long as it matches.
   std::optional<Error> do_update(const SpaceChange& change) override {
-    engine_.reset();  // frees its memory first
+    answers_.reset();  // frees its memory first
+    other_.reset();
     if (!change.everything && index_) return use(*index_);
     index_.reset();
-    auto built = build_(free_space());
-    if (!built) return why_none_ = built.error();
-    return use(*std::move(built));
+    return build();
+  }
+
+  void do_release() override {
+    answers_.reset();
+    other_.reset();
   }
 
   IndexBuilder build_;
-  EngineOpener open_;
+  Opener open_;
+  Otherwise otherwise_;
   std::optional<IndexBytes> index_;  // the last one that could be used; clones share it
-  std::unique_ptr<IndexEngine> engine_;
-  std::size_t most_cells_ = 0;
-  Error why_none_{Status::found, {}};  // if there is no engine
+  std::unique_ptr<IndexAnswers> answers_;
+  std::unique_ptr<Planner> other_;     // in place of answers
+  Query asked_;                        // of the other planner
+  Error why_none_{Status::found, {}};  // if there are no answers
   GridQuery cells_;
   std::vector<Cell> goals_;  // where a path enters those of cells_
 };
@@ -149,6 +181,22 @@ class MethodSupport final : public IndexSupport {
     if (auto refused = refused_options(options)) {
       return Unexpected<Error>(*std::move(refused));
     }
+    auto planner = planner_on(space);
+    if (auto fault = planner->use(std::move(index))) return Unexpected<Error>(*std::move(fault));
+    return planner;
+  }
+
+  /// Makes a planner, with its index.
+  PlannerResult make_with_index(const FreeSpace& space, const OptionValues& options) const {
+    if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
+    if (auto refused = refused_options(options)) return Unexpected<Error>(*std::move(refused));
+    auto planner = planner_on(space);
+    if (auto fault = planner->build()) return Unexpected<Error>(*std::move(fault));
+    return planner;
+  }
+
+ private:
+  std::unique_ptr<IndexPlanner> planner_on(const FreeSpace& space) const {
     // The planner may outlive this object.
     const auto build = [method = method_, name = planner_](const FreeSpace& other) {
       return MethodSupport(method, name).build(other, {});
@@ -157,15 +205,12 @@ class MethodSupport final : public IndexSupport {
                                                           IndexBytes bytes) {
       return MethodSupport(method, name).open(other, std::move(bytes));
     };
-    auto planner = std::make_unique<IndexPlanner>(space, build, open);
-    if (auto fault = planner->use(std::move(index))) return Unexpected<Error>(*std::move(fault));
-    return planner;
+    return std::make_unique<IndexPlanner>(space, build, open, method_.otherwise);
   }
 
- private:
-  EngineResult open(const FreeSpace& space, IndexBytes index) const {
+  AnswersResult open(const FreeSpace& space, IndexBytes index) const {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
-    auto opened = method_.open(std::move(index), space.passable());
+    auto opened = method_.open(std::move(index), space);
     if (!opened)
       return failure(Status::index_mismatch, "index does not match: " + opened.error().message,
                      opened.error().where);
@@ -179,14 +224,11 @@ class MethodSupport final : public IndexSupport {
 }  // namespace
 
 PlannerInfo with_index(PlannerInfo info, const IndexMethod& method) {
-  info.guarantee = Guarantee::optimal;
-  info.capabilities = {.jumps = true};
+  info.capabilities.jumps = true;
   const auto support = std::make_shared<const MethodSupport>(method, info.name);
   info.index_support = support;
   info.make = [support](const FreeSpace& space, const OptionValues& options) -> PlannerResult {
-    auto index = support->build(space, {});
-    if (!index) return Unexpected<Error>(index.error());
-    return support->make_planner(space, options, *std::move(index));
+    return support->make_with_index(space, options);
   };
   return info;
 }

@@ -1,0 +1,180 @@
+// euclidean_labels beside any_angle, which the brute force of any_angle_test.cpp checks.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "conformance/random_map.hpp"
+#include "tests/testing/share.hpp"
+#include "wend/base/random.hpp"
+#include "wend/path/path_collision.hpp"
+#include "wend/planner/index_support.hpp"
+#include "wend/planner/planner_options.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend {
+
+PlannerInfo euclidean_labels_planner();  // not in the registry yet
+
+namespace {
+
+constexpr double kRelative = 1e-9;
+
+Grid<CellState> scattered(Random& random, int longest) {
+  const int width = random.between(1, longest);
+  const int height = random.between(1, longest);
+  Grid<CellState> states(width, height, CellState::free);
+  const double blocked = 0.45 * random.uniform();
+  for (const Cell cell : every_cell(states)) {
+    if (random.chance(blocked)) states[cell] = CellState::occupied;
+  }
+  return states;
+}
+
+FreeSpaceOptions random_robot(Random& random) {
+  const int kind = random.between(0, 2);
+  const double ahead = 0.3 + random.uniform();
+  const double side = 0.2 + 0.6 * random.uniform();
+  if (kind == 0) return {};
+  if (kind == 1) return {.footprint = Footprint::disc(ahead)};
+  return {.footprint = *Footprint::polygon(
+              *Polygon::make({{ahead, side}, {-side, side}, {-side, -side}, {ahead, -side}}))};
+}
+
+std::unique_ptr<Planner> labels_on(const FreeSpace& space) {
+  auto planner = euclidean_labels_planner().make(space, {});
+  if (!planner) ADD_FAILURE() << planner.error().message;
+  return planner ? *std::move(planner) : nullptr;
+}
+
+/// Whether there was a path.
+bool expect_answer_of_any_angle(Planner& labels, const FreeSpace& space, const Query& query) {
+  const auto reference = make_planner(space, ShortestAnyAngleOptions{});
+  Plan plan;
+  Plan expected;
+  const Status status = labels.plan(query, plan);
+  EXPECT_EQ(status, (*reference)->plan(query, expected));
+  if (status != Status::found) return false;
+  const auto collision = first_collision(plan.path, space, Adjacency::edges);
+  EXPECT_FALSE(collision) << describe(collision->kind);
+  EXPECT_EQ(plan.cost, plan.path.length());
+  EXPECT_EQ(plan.path.points().front(), expected.path.points().front());
+  EXPECT_EQ(plan.path.points().back(), expected.path.points().back());
+  EXPECT_EQ(plan.bound, expected.bound);
+  if (space.is_point()) {
+    EXPECT_NEAR(plan.cost, expected.cost, kRelative * (1 + expected.cost));
+  } else {
+    EXPECT_LE(plan.cost, 1.5 * expected.cost + 1) << "pulled taut on another way round";
+  }
+  return true;
+}
+
+TEST(EuclideanLabels, AnswersAsAnyAngleDoes) {
+  int found = 0;
+  const auto maps = test::share_of(1500U);
+  for (std::uint64_t seed = 1; seed <= maps && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const GridMap map = *make_grid_map(scattered(random, 30));
+    const FreeSpaceOptions robot = random_robot(random);
+    const FreeSpace space = *make_free_space(map, robot);
+    const auto labels = labels_on(space);
+    ASSERT_NE(labels, nullptr);
+    for (int i = 0; i < 4; ++i) {
+      const Cell start = test::random_cell(random, map.width(), map.height());
+      const Cell goal = test::random_cell(random, map.width(), map.height());
+      if (expect_answer_of_any_angle(*labels, space, Query::between(start, goal))) ++found;
+    }
+  }
+  EXPECT_GT(found, static_cast<int>(maps));
+}
+
+TEST(EuclideanLabels, TakesTheNearestOfSeveralGoals) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 300 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const GridMap map = *make_grid_map(scattered(random, 30));
+    const FreeSpace space = *make_free_space(map);
+    const auto labels = labels_on(space);
+    ASSERT_NE(labels, nullptr);
+    const Cell start = test::random_cell(random, map.width(), map.height());
+    const Cell goal = test::random_cell(random, map.width(), map.height());
+    const Cell other = test::random_cell(random, map.width(), map.height());
+    Query query = Query::between(start, goal);
+    query.goals.push_back(Query::between(start, other).goals.front());
+    Plan plan;
+    Plan expected;
+    const auto reference = make_planner(space, ShortestAnyAngleOptions{});
+    ASSERT_EQ(labels->plan(query, plan), (*reference)->plan(query, expected));
+    if (plan.path.empty()) continue;
+    ++found;
+    EXPECT_NEAR(plan.cost, expected.cost, kRelative * (1 + expected.cost));
+  }
+  EXPECT_GT(found, 100);
+}
+
+/// More posts than the index takes corners.
+GridMap posts() {
+  Grid<CellState> states(420, 420, CellState::free);
+  for (const Cell cell : every_cell(states)) {
+    if (cell.x % 3 == 1 && cell.y % 3 == 1) states[cell] = CellState::occupied;
+  }
+  return *make_grid_map(states);
+}
+
+TEST(EuclideanLabels, LeavesMapsOfTooManyCornersToAnyAngle) {
+  const FreeSpace space = *make_free_space(posts());
+  const PlannerInfo info = euclidean_labels_planner();
+  const auto index = info.index_support->build(space, {});
+  ASSERT_FALSE(index);
+  EXPECT_EQ(index.error().status, Status::unsupported_map);
+  const auto labels = labels_on(space);
+  ASSERT_NE(labels, nullptr);
+  const auto another = labels->clone();
+  for (Planner* const planner : {labels.get(), another.get()}) {
+    EXPECT_TRUE(expect_answer_of_any_angle(*planner, space, Query::between({0, 0}, {19, 9})));
+    EXPECT_FALSE(expect_answer_of_any_angle(*planner, space, Query::between({0, 0}, {1, 1})));
+    EXPECT_NE(planner->reason(Query::between({0, 0}, {1, 1}), Status::goal_blocked), "");
+  }
+}
+
+TEST(EuclideanLabels, TellsItsAnswerOnceWhoeverFindsIt) {
+  const FreeSpace space = *make_free_space(posts());
+  const auto labels = labels_on(space);
+  ASSERT_NE(labels, nullptr);
+  int told = 0;
+  Query query = Query::between({0, 0}, {19, 9});
+  query.on_solution = [&](const Plan&) { ++told; };
+  ASSERT_TRUE(labels->plan(query));
+  EXPECT_EQ(told, 1);
+}
+
+TEST(EuclideanLabels, GoesOnWithAnyAngleAndBackWhenTheMapChanges) {
+  Random random(5);
+  const FreeSpace small = *make_free_space(*make_grid_map(scattered(random, 30)));
+  const FreeSpace large = *make_free_space(posts());
+  const auto labels = labels_on(small);
+  ASSERT_NE(labels, nullptr);
+  for (const FreeSpace* const space : {&large, &small, &large}) {
+    labels->release();
+    ASSERT_TRUE(labels->update(*space));
+    expect_answer_of_any_angle(*labels, *space, Query::between({0, 0}, {3, 2}));
+    expect_answer_of_any_angle(*labels, *space, Query::between({2, 0}, {0, 3}));
+  }
+}
+
+TEST(EuclideanLabels, RefusesTerrain) {
+  Grid<double> terrain(2, 1, 1);
+  terrain[{1, 0}] = 3;
+  const GridMap uneven = *make_grid_map(Grid<CellState>(2, 1, CellState::free), {}, terrain);
+  const auto planner = euclidean_labels_planner().make(*make_free_space(uneven), {});
+  ASSERT_FALSE(planner);
+  EXPECT_EQ(planner.error().status, Status::unsupported_map);
+}
+
+}  // namespace
+}  // namespace wend
