@@ -33,12 +33,12 @@ class AnytimeEngineOf final : public Engine {
 
   SearchOutcome step() override {
     watched([&](auto&& watcher) { search_.step(watcher); });
-    return outcome();
+    return search_.outcome();
   }
 
   SearchOutcome run() override {
     watched([&](auto&& watcher) { search_.run(watcher); });
-    return outcome();
+    return search_.outcome();
   }
 
   const SearchMetrics& metrics() const override { return search_.metrics(); }
@@ -56,9 +56,6 @@ class AnytimeEngineOf final : public Engine {
 
  private:
   using Search = AnytimeSearch<Space, Priority, Links, Store>;
-
-  /// A search whose estimates were broken off has found nothing that holds.
-  SearchOutcome outcome() const { return search_.priority().stopped().value_or(search_.outcome()); }
 
   /// Runs an action with the observer there is; the loop is compiled once for each case.
   template <class Action>
