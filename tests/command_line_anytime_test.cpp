@@ -76,10 +76,13 @@ TEST_F(AnytimeCommand, AnswersAtALimitWithItsBestPath) {
 }
 
 TEST_F(AnytimeCommand, ListsTheDrivesOfAnInitialWeight) {
+  const std::string yard = folder_ / "yard.txt";  // the doors of rooms are too narrow for a car
+  ASSERT_EQ(wend({"generate", "car", "--size", "41x41", "--seed", "3", "-o", yard}).code, 0);
   for (const std::string planner : {"lattice", "car"}) {
-    const std::vector<std::string> ends{"--start",   "1,1,E", "--goal",   "199,99,any",
+    SCOPED_TRACE(planner);
+    const std::vector<std::string> ends{"--start",   "1,1,E", "--goal",   "39,39,any",
                                         "--planner", planner, "--format", "json"};
-    std::vector<std::string> arguments{"plan", map_};
+    std::vector<std::string> arguments{"plan", yard};
     arguments.insert(arguments.end(), ends.begin(), ends.end());
     EXPECT_THAT(wend(std::vector<std::string>(arguments)).out, Not(HasSubstr("solutions")));
     std::vector<std::string> plotted = arguments;
@@ -89,7 +92,7 @@ TEST_F(AnytimeCommand, ListsTheDrivesOfAnInitialWeight) {
     arguments.insert(arguments.end(), {"--initial-weight", "5"});
     const json answer = json::parse(wend(std::move(arguments)).out);
     ASSERT_EQ(answer.at("status"), "found") << planner;
-    ASSERT_FALSE(answer.at("solutions").empty());
+    ASSERT_GT(answer.at("solutions").size(), 1U);
     EXPECT_EQ(answer.at("solutions").back().at("cost"), answer.at("cost"));
     EXPECT_EQ(answer.at("bound"), 1);
   }
