@@ -42,9 +42,10 @@ void expect_expansion_limit(Examination& examination, PlannerFor&& planner, Quer
   for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}, needed / 2, needed - 1}) {
     query.limits.expansions = limit;
     examination.ask(query);
-    const Answer answer = answer_of(planner(), query);
+    Planner& asked = planner();
+    const Answer answer = answer_of(asked, query);
     const SearchMetrics& metrics = answer.plan.metrics;
-    const bool anytime = examination.info().capabilities.anytime;
+    const bool anytime = asked.anytime();
     const bool metrics_kept = metrics.expanded == limit && (anytime || metrics.generated >= limit);
     if (anytime && answer.status == Status::found && metrics_kept) continue;
     if (answer.status != Status::expansion_limit || !metrics_kept || metrics.generated == 0 ||

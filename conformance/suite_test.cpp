@@ -40,6 +40,7 @@ class FaultyPlanner final : public Planner {
     const int before = queries_++;
     return fault_.plan ? fault_.plan(*good_, query, out, before) : good_->plan(query, out);
   }
+  bool do_anytime() const override { return good_->anytime(); }
   std::optional<Status> do_begin(const Query& query, Plan& out) override {
     return good_->begin(query, out);
   }

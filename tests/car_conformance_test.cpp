@@ -55,7 +55,6 @@ void expect_honest(const Plan& plan, const CarReference& reference, const Query&
       });
   EXPECT_TRUE(ends_in_a_goal) << "goal shift " << plan.goal_snapping_error.distance << ","
                               << plan.goal_snapping_error.turn;
-  EXPECT_GE(plan.metrics.generated, plan.metrics.expanded);
   EXPECT_GE(plan.metrics.expanded, poses.size()) << "every pose of a drive was expanded";
 }
 
@@ -114,6 +113,9 @@ void CarConformance::expect_guarantees_on_random_yards(std::uint64_t yards) cons
       SCOPED_TRACE(text_of(query));
       const Answer answer = answer_of(*planner, query);
       expect_true_answer(info(), answer, reference, query);
+      if (!planner->anytime()) {  // which may expand a pose again
+        EXPECT_GE(answer.plan.metrics.generated, answer.plan.metrics.expanded);
+      }
       EXPECT_NE(planner->reason(query, answer.status), "");
       found += answer.status == Status::found ? 1 : 0;
       turned_away += answer.status == Status::unreachable ? 1 : 0;
@@ -148,7 +150,9 @@ TEST_P(CarConformance, KeepsItsGuaranteesOnEveryYardOfNineCells) {
       const Stand goal{{i / 4, 3}, random.between(0, 3)};
       const Query query{reference.pose(start), {reference.pose(goal)}};
       SCOPED_TRACE(text_of(query));
-      expect_true_answer(info(), answer_of(*planner, query), reference, query);
+      const Answer answer = answer_of(*planner, query);
+      expect_true_answer(info(), answer, reference, query);
+      EXPECT_GE(answer.plan.metrics.generated, answer.plan.metrics.expanded);
     }
   }
 }

@@ -75,6 +75,29 @@ TEST_F(AnytimeCommand, AnswersAtALimitWithItsBestPath) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("expansion_limit"), HasSubstr("\"solutions\":[]")));
 }
 
+TEST_F(AnytimeCommand, ListsTheDrivesOfAnInitialWeight) {
+  const std::string yard = folder_ / "yard.txt";  // the doors of rooms are too narrow for a car
+  ASSERT_EQ(wend({"generate", "car", "--size", "41x41", "--seed", "3", "-o", yard}).code, 0);
+  for (const std::string planner : {"lattice", "car"}) {
+    SCOPED_TRACE(planner);
+    const std::vector<std::string> ends{"--start",   "1,1,E", "--goal",   "39,39,any",
+                                        "--planner", planner, "--format", "json"};
+    std::vector<std::string> arguments{"plan", yard};
+    arguments.insert(arguments.end(), ends.begin(), ends.end());
+    EXPECT_THAT(wend(std::vector<std::string>(arguments)).out, Not(HasSubstr("solutions")));
+    std::vector<std::string> plotted = arguments;
+    plotted.insert(plotted.end(), {"--plot", (folder_ / "bounds.svg").string()});
+    EXPECT_THAT(wend(std::move(plotted)).err,
+                HasSubstr("--plot changes nothing without --initial-weight above 1"));
+    arguments.insert(arguments.end(), {"--initial-weight", "5"});
+    const json answer = json::parse(wend(std::move(arguments)).out);
+    ASSERT_EQ(answer.at("status"), "found") << planner;
+    ASSERT_GT(answer.at("solutions").size(), 1U);
+    EXPECT_EQ(answer.at("solutions").back().at("cost"), answer.at("cost"));
+    EXPECT_EQ(answer.at("bound"), 1);
+  }
+}
+
 TEST_F(AnytimeCommand, PlotsOnlyWhatIsAnytime) {
   const Outcome outcome = plan({"--plot", (folder_ / "bounds.svg").string()}, "astar");
   EXPECT_EQ(outcome.code, 2);

@@ -40,6 +40,24 @@ TEST_F(BenchDatabaseCommand, KeepsEveryAnswer) {
             1);
 }
 
+TEST_F(BenchDatabaseCommand, KeepsThePathsOfAnytimePlanners) {
+  const std::string file = scenario(kRight);
+  rows({file, "--planner", "ara_star,astar", "--repetitions", "2", "--database", database_});
+  const std::string of_ara_star =
+      " FROM progress JOIN runs ON runid = runs.id JOIN plannerConfigs ON plannerid = "
+      "plannerConfigs.id WHERE name = 'ara_star'";
+  EXPECT_EQ(number_in(database_, "SELECT count(DISTINCT runid)" + of_ara_star), 2);
+  EXPECT_EQ(number_in(database_, "SELECT count(DISTINCT runid) FROM progress"), 2);
+  EXPECT_EQ(
+      number_in(database_,
+                "SELECT count(*) FROM runs WHERE abs(solution_length - (SELECT min(best_cost) "
+                "FROM progress WHERE runid = runs.id)) < 1e-9"),
+      2)
+      << "the last path is the answer";
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM progress WHERE time > 0 AND time < 1"),
+            number_in(database_, "SELECT count(*) FROM progress"));
+}
+
 TEST_F(BenchDatabaseCommand, DoesNothingTwice) {
   const std::string file = scenario(kRight);
   const std::vector<std::string> command{"bench",      file,      "--planner", "astar,bfs",

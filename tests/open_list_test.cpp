@@ -122,7 +122,7 @@ class OpenListOf : public ::testing::TestWithParam<std::string> {
       }
       EXPECT_EQ(state_of(next.entries.front().state), state_of(list.entries.front().state));
       // The order of an anytime planner is another one for each weight.
-      const bool ordered_anew = info().capabilities.anytime && plan.bound != bound;
+      const bool ordered_anew = planner.anytime() && plan.bound != bound;
       if (info().guarantee != Guarantee::none && !outcome && !ordered_anew) {
         expect_same_order(states_of(list), states_of(planner.open_list(kAll)),
                           watcher.take_reached(), jumps);

@@ -166,7 +166,7 @@ void expect_true_costs(const SearchLayers& layers, const Planner& planner, const
     // On cells with costs, g is a sum of CostUnits.
     const double slack = space.uniform_terrain() ? kRounding : 1.6e-6;
     const double through = layers.g[parent] + cost;
-    if (info.capabilities.anytime) {  // the parent may have become cheaper since
+    if (planner.anytime()) {  // the parent may have become cheaper since
       EXPECT_GE(layers.g[cell], through - slack * (1 + through));
     } else {
       EXPECT_NEAR(layers.g[cell], through, slack * (1 + layers.g[cell]));

@@ -52,7 +52,7 @@
 
 /// Grows when a function or a structure changes so that programs must be compiled again. New functions do not
 /// change it.
-#define WEND_ABI_VERSION 1
+#define WEND_ABI_VERSION 2
 
 #ifdef __cplusplus
 extern "C" {
@@ -302,6 +302,13 @@ WEND_C_API wend_status wend_session_nearest(wend_session* session, const wend_po
 /// Frees a session. Its plans and fields stay.
 WEND_C_API void wend_session_free(wend_session* session);
 
+/// A path and its cost.
+typedef struct wend_plan wend_plan;
+
+/// Receives a path of an anytime planner, on the thread that plans. The plan is the library's, valid until the
+/// function returns; its path is as the planner found it. The function must not use the session.
+typedef void (*wend_solution_function)(const wend_plan* plan, void* context);
+
 /// A query: from where to where, and how.
 typedef struct wend_request {
   size_t struct_size;        // sizeof(wend_request)
@@ -316,13 +323,12 @@ typedef struct wend_request {
   double spacing;      // metres, of the poses along the path; default 0: where the planner has them
   int32_t straighten;  // 1: joins cells by lines along which the robot fits; default 0
   int32_t explain;     // 1: says why there is no path, in O(cells log cells); default 1
+  wend_solution_function on_solution;  // receives each path of wend_session_plan(); default null
+  void* context;                       // what it receives besides; default null
 } wend_request;
 
 /// Sets the defaults. `struct_size` is sizeof(wend_request). Start and goals have none.
 WEND_C_API wend_status wend_request_init(wend_request* request, size_t struct_size);
-
-/// A path and its cost.
-typedef struct wend_plan wend_plan;
 
 /// Plans. If there is no path, the status says what happened, the message where, why and what would help.
 /// Free the plan with wend_plan_free().

@@ -48,6 +48,23 @@ void forget_known(std::vector<BenchAnswer>& answers, std::span<const BenchAnswer
   });
 }
 
+/// Of answers that are sorted by line.
+void recall_progress(SqliteConnection& connection, std::int64_t experiment, std::int64_t planner,
+                     std::vector<BenchAnswer>& answers) {
+  SqliteStatement rows(
+      connection,
+      "SELECT line, progress.time, best_cost FROM runs INNER JOIN progress ON progress.runid = "
+      "runs.id WHERE experimentid = ? AND plannerid = ? ORDER BY line, progress.time");
+  auto at = answers.begin();
+  for (rows.start(experiment, planner); rows.next();) {
+    const auto line = static_cast<std::size_t>(rows.integer(0));
+    while (at != answers.end() && at->line < line) ++at;
+    if (at != answers.end() && at->line == line) {
+      at->progress.push_back({rows.number(1), rows.number(2)});
+    }
+  }
+}
+
 std::optional<double> first_of(const BenchAnswer& answer, double FirstQuery::* time) {
   return answer.first ? std::optional((*answer.first).*time) : std::nullopt;
 }
@@ -134,6 +151,7 @@ Expected<BenchRecord, Error> BenchDatabase::record(std::int64_t experiment,
     }
     record.answers.back().seconds.push_back(runs.number(8));
   }
+  recall_progress(*connection_, experiment, planner, record.answers);
   if (!ok()) return failure();
   return record;
 }
@@ -150,6 +168,9 @@ Expected<void, Error> BenchDatabase::store(std::int64_t experiment, std::int64_t
       "correct_solution, expanded, build_s, index_bytes, prepare_s, first_s, line) "
       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
   SqliteStatement add_pass(*connection_, "INSERT INTO passes (runid, pass, time) VALUES (?, ?, ?)");
+  // Two paths at one reading of the clock are one row, of the better path.
+  SqliteStatement add_progress(
+      *connection_, "INSERT OR REPLACE INTO progress (runid, time, best_cost) VALUES (?, ?, ?)");
   for (const BenchAnswer& answer : answers) {
     const auto line = static_cast<std::int64_t>(answer.line);
     forget.run(experiment, planner, line);
@@ -162,6 +183,7 @@ Expected<void, Error> BenchDatabase::store(std::int64_t experiment, std::int64_t
     add.next();
     std::int64_t pass = 0;
     for (const double seconds : answer.seconds) add_pass.run(run, ++pass, seconds);
+    for (const auto& [seconds, cost] : answer.progress) add_progress.run(run, seconds, cost);
   }
   SqliteStatement sum_up(*connection_, kSumUpExperiment);
   sum_up.run(experiment);

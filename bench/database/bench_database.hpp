@@ -8,7 +8,7 @@
 //   runs            a planner's answer to a query: `time` in seconds of CPU time (of its fastest
 //                   pass), `solved`; `prepare_s` and `first_s` where a new planner was asked it first
 //   enums           the words for `status` of a run
-//   progress        empty: our planners have no first answer that they better later
+//   progress        of anytime planners: when each better path was there, and its cost
 //   bestPlannerConfigsPerExperiment, bestPlannerConfigs
 //                   views: how much planners solve and how fast, by name, as OMPL defines it
 //

@@ -96,6 +96,32 @@ class BenchDatabaseTest : public testing::Test {
   fs::path file_ = folder_ / "bench.db";
 };
 
+TEST_F(BenchDatabaseTest, KeepsWhenBetterPathsWereThere) {
+  std::vector<BenchAnswer> answers{answer(3, {0.5}), answer(5, {0.25}), answer(8, {1})};
+  answers[0].progress = {{0.125, 9}, {0.5, 7.5}};
+  answers[2].progress = {{0.25, 12}, {0.25, 10}, {1, 7.5}};
+  fill(file_, "ara_star", answers);
+  EXPECT_THAT(rows_of(file_,
+                      "SELECT line, progress.time, best_cost FROM progress JOIN runs ON runid = "
+                      "runs.id ORDER BY line, progress.time"),
+              ElementsAre("3|0.125|9.0", "3|0.5|7.5", "8|0.25|10.0", "8|1.0|7.5"));
+  const std::vector<BenchAnswer> known = answers_in(file_, "ara_star");
+  ASSERT_THAT(known, SizeIs(3));
+  EXPECT_EQ(known[0].progress, answers[0].progress);
+  EXPECT_THAT(known[1].progress, IsEmpty());
+  EXPECT_THAT(known[2].progress, ElementsAre(BenchSolution{0.25, 10}, BenchSolution{1, 7.5}));
+}
+
+TEST_F(BenchDatabaseTest, ReplacesTheProgressOfAnAnswer) {
+  BenchAnswer before = answer(3, {0.5});
+  before.progress = {{0.125, 9}, {0.5, 7.5}};
+  BenchAnswer after = answer(3, {0.5, 0.25});
+  after.progress = {{0.25, 7.5}};
+  fill(file_, "ara_star", {before});
+  fill(file_, "ara_star", {after});
+  EXPECT_THAT(rows_of(file_, "SELECT time, best_cost FROM progress"), ElementsAre("0.25|7.5"));
+}
+
 TEST_F(BenchDatabaseTest, HasTheTablesViewsAndColumnsOfOmpl) {
   open(file_);
   EXPECT_THAT(rows_of(file_,

@@ -20,6 +20,14 @@ struct FirstQuery {
   double seconds = 0;    // of the query
 };
 
+/// When a better path was there.
+struct BenchSolution {
+  double seconds = 0;  // since the search began
+  double cost = 0;     // of the best path by then, as BenchAnswer::length
+
+  friend bool operator==(const BenchSolution&, const BenchSolution&) = default;
+};
+
 struct BenchAnswer {
   std::size_t line = 0;  // of the query in the scenario's file: identifies the query
   Status status = Status::found;
@@ -28,6 +36,8 @@ struct BenchAnswer {
   bool wrong = false;
   std::vector<double> seconds{};      // of every repetition; planners repeat their answers
   std::optional<FirstQuery> first{};  // if it was measured
+  // Of an anytime planner: its paths, in order, in a run of its own.
+  std::vector<BenchSolution> progress{};
 
   bool found() const { return status == Status::found; }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -72,10 +73,16 @@ void check_primitives(const PlanArguments& arguments, const PlannerSpec& planner
                   planner.name));
 }
 
+/// With some options at least: which ones, a made planner says.
+bool can_be_anytime(const PlannerInfo& info) {
+  return std::ranges::any_of(
+      info.options, [](const OptionInfo& option) { return option.name == "initial_weight"; });
+}
+
 /// Throws InputError where --plot has nothing to plot.
 void check_plot(const PlanArguments& arguments, const PlannerSpec& planner) {
   if (arguments.plot.empty()) return;
-  if (!info_of(planner).capabilities.anytime) {
+  if (!can_be_anytime(info_of(planner))) {
     throw InputError(
         fmt::format("--plot changes nothing for the planner {}, which finds one path: use "
                     "--planner ara_star",

@@ -81,6 +81,11 @@ void PlanRun::plan() {
   refinement_.adjacency = moves_.adjacency();
   result_.states = (*planner_)->state_count();
   result_.unit = (*planner_)->corner_unit();
+  result_.anytime = (*planner_)->anytime();
+  if (!arguments_.plot.empty() && !result_.anytime) {
+    throw InputError(
+        "--plot changes nothing without --initial-weight above 1: the planner finds one path");
+  }
   if (arguments_.nearest) {
     const auto coordinates = arguments_.map.coordinates(space_.map());
     const Explainer explainer = explainer_for(space_, coordinates, moves_);
@@ -132,7 +137,7 @@ void PlanRun::search() {
 
 void PlanRun::search_to_the_end(Query query) {
   const Interruptible interruptible;  // what it did until then is reported
-  if (result_.capabilities.anytime) {
+  if (result_.anytime) {
     query.on_solution = [this, begun = thread_cpu_seconds()](const Plan& plan) {
       result_.solutions.push_back(
           {thread_cpu_seconds() - begun, plan.cost, plan.bound, plan.metrics.expanded});

@@ -138,8 +138,7 @@ class Solutions {
     interrupts_.watch(request.limits);
     request.on_solution = [this](const Plan& /*plan*/) { told_ = true; };
     planner_ = value_or_throw(make_planner(request.planner.name, space_, request.planner.options));
-    const Capabilities& can = planners().find(request.planner.name)->capabilities;
-    if (!can.anytime) {
+    if (!planner_->anytime()) {
       throw_failure(Status::invalid_option,
                     request.planner.name + " is not an anytime planner: it finds one path",
                     "planner");

@@ -227,6 +227,19 @@ def test_solutions_get_better_until_the_best() -> None:
         assert best.cost * (1 - 1e-9) <= plan.cost <= plan.bound * best.cost * (1 + 1e-9)
 
 
+@pytest.mark.parametrize("planner", ["lattice", "car"])
+def test_solutions_of_robots_with_headings_end_with_the_best(planner: str) -> None:
+    space = room()
+    ends = ((0.55, 0.05, 0), (2.55, 1.95, 0))
+    best = space.plan(*ends, planner=planner)
+    plans = list(space.solutions(*ends, planner=planner, initial_weight=10))
+    assert [plan.bound for plan in plans] == sorted((plan.bound for plan in plans), reverse=True)
+    assert plans[-1].bound == 1
+    assert plans[-1].cost == pytest.approx(best.cost)
+    with pytest.raises(ValueError, match=f"{planner} is not an anytime planner"):
+        space.solutions(*ends, planner=planner)
+
+
 def test_solutions_end_at_a_limit_with_the_answer_of_plan() -> None:
     space = room()
     ends = ((0.55, 0.15), (2.55, 1.85))

@@ -72,7 +72,9 @@ constexpr wend_request kRequestDefaults{sizeof(wend_request),
                                         std::numeric_limits<double>::infinity(),
                                         0,
                                         0,
-                                        1};
+                                        1,
+                                        nullptr,
+                                        nullptr};
 
 MapPose map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading}; }
 
@@ -175,8 +177,14 @@ Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
                                                         PlanOnView plan_on) {
   const auto view = handle.session.view();
   if (!view) return failed(view.error());
-  const auto asked = plan_request_of(request, view->space.map().frame().resolution);
+  auto asked = plan_request_of(request, view->space.map().frame().resolution);
   if (!asked) return Unexpected<Failure>(asked.error());
+  if (request->on_solution != nullptr) {
+    asked->on_solution = [&space = view->space, request](const Plan& plan) {
+      const wend_plan told(PlanAnswer{.space = space, .plan = plan});
+      request->on_solution(&told, request->context);
+    };
+  }
   const auto answer = (handle.session.*plan_on)(*view, *asked);
   if (!answer) return failed(static_cast<const PlanFailure&>(answer.error()));
   if (answer->fault) return failed(*answer->fault);

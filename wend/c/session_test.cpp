@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -176,6 +178,38 @@ TEST(CSession, StraightensAPathAndSetsPosesAlongIt) {
   for (std::size_t i = 1; i < wend_plan_pose_count(points.get()); ++i) {
     const wend_pose* const poses = wend_plan_poses(points.get());
     EXPECT_LE(std::hypot(poses[i].x - poses[i - 1].x, poses[i].y - poses[i - 1].y), 0.5 + 1e-9);
+  }
+}
+
+TEST(CSession, TellsThePathsOfAnAnytimePlanner) {
+  struct Told {
+    std::vector<double> costs;
+    std::vector<double> bounds;
+    std::size_t poses = 0;  // of the last one
+  };
+  const auto session = c_session(open_c_map(20, 20).get());
+  const wend_pose goal{18.5, 7.5, kAnyHeading};
+  wend_request request = request_to(goal);
+  Told told;
+  request.context = &told;
+  request.on_solution = [](const wend_plan* plan, void* context) {
+    Told& paths = *static_cast<Told*>(context);
+    paths.costs.push_back(wend_plan_cost(plan));
+    paths.bounds.push_back(wend_plan_bound(plan));
+    paths.poses = wend_plan_pose_count(plan);
+  };
+  for (const char* const planner : {"ara_star:initial_weight=5", "lattice:initial_weight=5"}) {
+    SCOPED_TRACE(planner);
+    told = {};
+    request.planner = planner;
+    const auto plan = made_object<wend_plan>([&](wend_plan** out, wend_error* error) {
+      return wend_session_plan(session.get(), &request, out, error);
+    });
+    ASSERT_FALSE(told.costs.empty());
+    EXPECT_TRUE(std::ranges::is_sorted(told.bounds, std::greater<>()));
+    EXPECT_EQ(told.bounds.back(), 1);
+    EXPECT_EQ(told.costs.back(), wend_plan_cost(plan.get()));
+    EXPECT_EQ(told.poses, wend_plan_pose_count(plan.get()));
   }
 }
 

@@ -36,6 +36,9 @@ class AnytimeEngineOf final
 
  private:
   using Base = EngineAround<Engine, Names, AnytimeSearch<Space, Priority, Links, Store>>;
+
+  /// The search heeds estimates that were broken off, and keeps what it found before.
+  SearchOutcome outcome() const override { return this->search().outcome(); }
 };
 
 }  // namespace wend

@@ -20,7 +20,7 @@ struct Capabilities {
   bool learns = false;     // later searches may expand fewer states; their paths are the same
   bool resumes =
       false;  // a search goes on from the last one: it may find another path of equal cost
-  /// Finds paths until the best or a limit, each with its bound (Query::on_solution). It may expand a state again.
+  /// Planner::anytime() with every option. It may expand a state again.
   bool anytime = false;
 };
 

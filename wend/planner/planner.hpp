@@ -61,6 +61,10 @@ class WEND_API Planner {
   /// open states. Does not change the search. O(entries of the frontier).
   OpenList open_list(std::size_t most) const { return do_open_list(most); }
 
+  /// Does it find paths until the best or a limit, each with its bound (Query::on_solution)? Some planners do
+  /// with some options: `car` and `lattice` with an initial_weight above 1.
+  bool anytime() const { return do_anytime(); }
+
   /// Why a query ends with this status, in words: where, and what is there.
   std::string reason(const Query& query, Status status) const;
 
@@ -120,6 +124,7 @@ class WEND_API Planner {
     return Status::unsupported_query;
   }
   virtual std::optional<Status> do_step(Plan& /*out*/) { return Status::unsupported_query; }
+  virtual bool do_anytime() const { return false; }
   virtual OpenList do_open_list(std::size_t /*most*/) const { return {}; }
   /// Where and why; empty if the status says it all.
   virtual std::string do_reason(const Query& /*query*/, Status /*status*/) const { return {}; }

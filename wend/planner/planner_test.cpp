@@ -210,7 +210,6 @@ TEST_P(EveryPlanner, TellsAnObserverEverything) {
     Auditor auditor;
     auditor.revisits = GetParam() == "random_walk" ||
                        jumps_on(map.uniform_terrain(), planners().find(GetParam())->capabilities);
-    const bool anytime = planners().find(GetParam())->capabilities.anytime;
     auditor.settles = planners().find(GetParam())->capabilities.any_angle;
     const Cell start = test::random_cell(random, 15, 12);  // the same with every compiler
     const Cell goal = test::random_cell(random, 15, 12);
@@ -221,7 +220,7 @@ TEST_P(EveryPlanner, TellsAnObserverEverything) {
     EXPECT_EQ(auditor.expanded, plan.metrics.expanded);
     EXPECT_EQ(auditor.generated, plan.metrics.generated);
     // An anytime planner goes on after it has expanded the goal.
-    if (status == Status::found && !anytime) {
+    if (status == Status::found && !planner->anytime()) {
       const std::vector<Point> points = plan.path.points();
       EXPECT_EQ(auditor.last, cell_at(GetParam() == "d_star_lite" ? points.front() : points.back()))
           << "it searches backwards";

@@ -173,7 +173,9 @@ class EngineAround : public Engine {
 
  private:
   /// A search whose estimates were broken off has found nothing that holds.
-  SearchOutcome outcome() const { return search_.priority().stopped().value_or(search_.outcome()); }
+  virtual SearchOutcome outcome() const {
+    return search_.priority().stopped().value_or(search_.outcome());
+  }
 
   Search search_;
   SearchObserver* observer_ = nullptr;

@@ -63,6 +63,8 @@ class SearchPlanner : public Planner {
     return finish(outcome, out);
   }
 
+  bool do_anytime() const final { return engine_ != nullptr && engine_->bound().has_value(); }
+
   OpenList do_open_list(std::size_t most) const final {
     return engine_ == nullptr ? OpenList{} : engine_->open_list(most);
   }

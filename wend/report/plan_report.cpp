@@ -56,7 +56,7 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   json["footprint"] = text_of(result.footprint);
   json["metrics"] = json_of(result.plan.metrics);
   json["times"] = json_of(result.times);
-  if (result.capabilities.anytime) json["solutions"] = json_of(result.solutions);
+  if (result.anytime) json["solutions"] = json_of(result.solutions);
   for (const Layer& layer : layers) {
     json["layers"][std::string(choice_name(layer.kind))] =
         layer.numbers.empty() ? json_of(layer.arrows, frame) : json_of(layer.numbers);

@@ -108,6 +108,7 @@ struct PlanResult {
   std::optional<RefinedPath> refined{};
   // The trajectory along the path, refined or not, if it was asked for.
   std::optional<SampledTrajectory> trajectory{};
+  bool anytime = false;                    // Planner::anytime()
   std::vector<TimedSolution> solutions{};  // of an anytime planner, in order
   int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
   Footprint footprint{};

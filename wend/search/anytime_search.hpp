@@ -6,7 +6,8 @@
 //
 // Each round is a weighted A*, f = g + w h, that expands a state at most once; a state that is reached more
 // cheaply after that waits for the next round. A round ends when no open state has an f below the cost of the
-// path. The next one takes a smaller weight and only the states that waited or are still open; w = 1 is the last.
+// path. The next one takes a smaller weight and only the states that waited or are still open, until the last
+// weight; after 1 the path is optimal.
 //
 // What is proven: let L be the least g + h of the states that are open or wait. No path costs less than L, nor
 // less than the cost of the path at the end of a round over w. The bound is the cost over the larger of the two,
@@ -14,11 +15,19 @@
 // are left out, which changes neither. When a round ends, the costs along the path are summed again: some of its
 // states may have become cheaper since their successors were reached.
 //
-// h must be consistent. Parts are those of a ForwardSearch, but the priority has these functions instead:
+// h must be consistent. One that a limit cut off (stopped()) is still at most the cost to go, so the sums g + h
+// prove what they prove, but the end of a round does not.
+//
+// One search for robots on cells (ara_star) and on lattices (the option initial_weight of lattice and car): it
+// knows only a space and a priority. Planners of poses got an option, not a second name: their motions, costs
+// and heuristics stay in one place, and with an initial weight of 1 ARA* is the A* that they are.
+//
+// Parts are those of a ForwardSearch, but the priority has these functions instead:
 //
 //   weigh(w)          the weight of the round
 //   key(state, g)     g + w h; of equal f, the larger g first. The key has f and g.
 //   total(state, g)   g + h, at most the cost of a path through the state
+//   stopped()         the outcome of an h that was cut off
 
 #include <algorithm>
 #include <cstddef>
@@ -40,10 +49,11 @@
 
 namespace wend {
 
-/// The weights of the rounds: the first one, and what is subtracted from the smaller of weight and bound.
+/// The weights of the rounds: the first one, what is subtracted from the smaller of weight and bound, and the last.
 struct AnytimeWeights {
   double first;
-  double step;  // above 0
+  double step;      // above 0
+  double last = 1;  // from 1 to `first`
 };
 
 template <SearchSpace Space, class Priority, class Links = StepLinks,
@@ -107,7 +117,8 @@ class AnytimeSearch {
   void step(Observer&& observer = {}) {
     if (ended()) return;
     outcome_ = SearchOutcome::running;
-    if (limits_.due(metrics_.expanded) && !within_limits(observer)) return;
+    const bool due = limits_.due(metrics_.expanded) || priority_.stopped();
+    if (due && !within_limits(observer)) return;
     const StateId id = min_heap::pop(heap_).id;
     expand(space_.state(id), observer);
     if (!ended()) settle(observer);
@@ -275,15 +286,15 @@ class AnytimeSearch {
 
   template <class Observer>
   void end_round(Observer&& observer) {
-    lower_ = std::max(lower_, static_cast<double>(cost_) / weight_);
+    if (!priority_.stopped()) lower_ = std::max(lower_, static_cast<double>(cost_) / weight_);
     sum_path(observer);
     gather();
-    if (bound() == 1) {
+    if (weight_ <= weights_.last || bound() <= weights_.last) {
       outcome_ = SearchOutcome::found;
       return;
     }
     outcome_ = SearchOutcome::improved;
-    weigh(std::max(1.0, std::min(weight_, bound()) - weights_.step));
+    weigh(std::max(weights_.last, std::min(weight_, bound()) - weights_.step));
     for (Entry& entry : heap_) entry.key = key_of(entry.id);
     min_heap::make(heap_);
   }
@@ -343,6 +354,7 @@ class AnytimeSearch {
   template <class Observer>
   bool within_limits(Observer&& observer) {
     outcome_ = limits_.look(metrics_.expanded);
+    if (outcome_ == SearchOutcome::running) outcome_ = priority_.stopped().value_or(outcome_);
     if (outcome_ == SearchOutcome::running && priority_.near_overflow(heap_.front().key)) {
       outcome_ = SearchOutcome::cost_overflow;
     }

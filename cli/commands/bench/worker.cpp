@@ -36,6 +36,7 @@ bool BenchWorker::time_first(const ScenarioQuery& query, BenchAnswer& answer) {
   first.prepare_s = seconds_of(cpu_clock(), [&] { made = make_(); });
   if (made) {
     first.seconds = seconds_of(cpu_clock(), [&] { status = (*made)->plan(first_query, plan); });
+    watch(**made, first_query, answer);
   } else {
     status = made.error().status;
   }
@@ -50,6 +51,7 @@ bool BenchWorker::time_later(const ScenarioQuery& query, BenchAnswer& answer) {
   Status status = Status::found;
   const double seconds =
       least_seconds(cpu_clock(), [&] { status = planner_->plan(later_query, plan_); });
+  watch(*planner_, later_query, answer);
   if (Interruptible::cancelled()) return false;
   take(query, answer, status, plan_);
   answer.seconds.push_back(seconds);
@@ -72,11 +74,24 @@ Query BenchWorker::asked(const ScenarioQuery& query) const {
   return asked;
 }
 
-/// The first answer settles what is right; later ones are the same, unless one ran out of time.
+/// Asks an anytime planner once more, so that noting its paths does not count in the times of other runs.
+void BenchWorker::watch(Planner& planner, Query query, BenchAnswer& answer) {
+  if (!planner.anytime() || !answer.progress.empty()) return;
+  query.on_solution = [&answer, begun = cpu_clock()()](const Plan& plan) {
+    answer.progress.push_back({cpu_clock()() - begun, plan.cost});
+  };
+  Plan plan;
+  planner.plan(query, plan);
+  if (Interruptible::cancelled()) answer.progress.clear();
+}
+
+/// The first answer settles what is right; later ones are the same, unless one ran out of time. Then the paths
+/// of an anytime planner differ, and the last one counts.
 void BenchWorker::take(const ScenarioQuery& query, BenchAnswer& answer, Status status,
                        const Plan& plan) {
   const bool known = answer.first.has_value() || !answer.seconds.empty();
-  if (!known || answer.status == Status::time_limit) {
+  const bool may_differ = rules_.limit_s > 0 && !answer.progress.empty();
+  if (!known || may_differ || answer.status == Status::time_limit) {
     settle(query, answer, status, plan);
   } else if (status != Status::time_limit) {
     compare(query, answer, status, plan);

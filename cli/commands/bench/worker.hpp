@@ -46,6 +46,7 @@ class BenchWorker {
 
  private:
   Query asked(const ScenarioQuery& query) const;
+  static void watch(Planner& planner, Query query, BenchAnswer& answer);
   void take(const ScenarioQuery& query, BenchAnswer& answer, Status status, const Plan& plan);
   void settle(const ScenarioQuery& query, BenchAnswer& answer, Status status, const Plan& plan);
   void compare(const ScenarioQuery& query, BenchAnswer& answer, Status status, const Plan& plan);

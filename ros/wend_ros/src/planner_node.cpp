@@ -265,8 +265,11 @@ Answer PlannerNode::answer(const Map& map, const PlanRequest& request, const Man
   const wend::Session::View& view = map->view;
   auto ask = ask_of(request, view);
   if (ask) ask->explain = manner.explain;
-  Answer answered = ask ? wend_ros::answer(session_, view, reconfigure_->parameters(), *ask,
-                                           {manner.cancel, manner.watch})
+  Watch watch{manner.cancel, manner.watch};
+  if (manner.watch != nullptr) {
+    watch.on_solution = [&](const wend::Plan& plan) { manner.watch->on_solution(plan); };
+  }
+  Answer answered = ask ? wend_ros::answer(session_, view, reconfigure_->parameters(), *ask, watch)
                         : Answer{ask.error()};
   answered.result.map_version = view.version;
   answered.result.map_stamp = map->stamp;

@@ -56,6 +56,7 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
   const double limit = ask.time_limit > 0 ? ask.time_limit : parameters.number("time_limit");
   if (limit > 0) request.limits.seconds = limit;
   request.observer = watch.observer;
+  request.on_solution = watch.on_solution;
   request.nearest = ask.nearest;
   request.explain = ask.explain;
   request.from_field = ask.from_field;

@@ -1,11 +1,14 @@
 #include "wend_ros/planning.hpp"
 
 #include <gtest/gtest.h>
+#include <wend_ros/PlanPathFeedback.h>
 
 #include <fstream>
+#include <future>
 #include <set>
 
 #include "wend/planner/planners.hpp"
+#include "wend_ros/feedback.hpp"
 #include "wend_ros/path_message.hpp"
 
 namespace wend_ros {
@@ -183,6 +186,43 @@ TEST(Planning, IsStoppedByItsFlag) {
   const std::atomic<bool> cancel{true};
   const PlanResult result = planning.answer({}, ask({1, 1, 0}, {9, 1, 0}), {&cancel, nullptr});
   EXPECT_EQ(result.status, static_cast<int>(StatusCode::cancelled));
+}
+
+TEST(Planning, TellsThePathsOfAnAnytimePlanner) {
+  Planning planning;
+  Ask anytime = ask({1, 1, 0}, {9, 1, 0});
+  anytime.planner = "ara_star:initial_weight=10";
+  SearchWatch watch(false);
+  EXPECT_EQ(watch.solutions().count, 0U);
+  const PlanResult result = planning.answer(
+      {}, anytime, {nullptr, &watch, [&](const wend::Plan& plan) { watch.on_solution(plan); }});
+  ASSERT_EQ(result.status, 0) << result.reason;
+  EXPECT_GT(watch.solutions().count, 1U) << "the first path goes along the wall";
+  EXPECT_EQ(watch.solutions().cost, result.cost);
+  EXPECT_EQ(watch.solutions().bound, 1);
+}
+
+TEST(Feedback, HasTheBestPathAndWhatItProves) {
+  SearchWatch watch(false);
+  wend::Plan plan;
+  plan.cost = 20;
+  plan.bound = 2;
+  watch.on_solution(plan);
+  plan.cost = 15;
+  plan.bound = 1.5;
+  watch.on_solution(plan);
+  std::promise<PlanPathFeedback> first;
+  bool told = false;
+  const auto publish = [&](const PlanPathFeedback& message) {
+    if (!told) first.set_value(message);
+    told = true;
+  };
+  const Feedback<PlanPathFeedback, decltype(publish)> feedback(watch, publish);
+  const PlanPathFeedback message = first.get_future().get();
+  EXPECT_EQ(message.solutions, 2U);
+  EXPECT_EQ(message.cost, 15);
+  EXPECT_EQ(message.bound, 1.5);
+  EXPECT_EQ(message.best_bound, 10) << "no path costs less";
 }
 
 TEST(Planning, AnswersFromTheFieldWithTheSameCost) {

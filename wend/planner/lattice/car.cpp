@@ -31,9 +31,11 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
     if (!why_none.empty()) return failure(Status::unsupported_map, std::move(why_none));
     return CarLattice(other, driving);
   };
-  const auto engine_on = [heuristic = options->heuristic,
-                          weight = options->weight](const CarLattice& lattice) {
-    return make_engine(lattice, heuristic, weight);
+  const auto engine_on = [options = *options](const CarLattice& lattice) {
+    if (options.anytime()) {
+      return make_anytime_engine(lattice, options.heuristic, anytime_weights(options));
+    }
+    return make_engine(lattice, options.heuristic, options.weight);
   };
   auto planner = std::make_unique<LatticePlanner<CarLattice>>(
       space, LatticeParts<CarLattice>{lattice_for, engine_on, "the car", options->bound(),
@@ -61,15 +63,17 @@ PlannerInfo car_planner() {
           "times the terrain of the cell that it sweeps.",
       .citation = "Pivtoraiko, Kelly 2005; Hart, Nilsson, Raphael 1968",
       .guarantee_text =
-          "optimal on its lattice with a weight up to 1; above 1 at most w times the optimum",
+          "optimal on its lattice with a weight up to 1; above 1 at most w times the optimum; of "
+          "an anytime search at a limit, at most the bound that it has proven times the optimum",
       .time = "O(n log n) in the n poses expanded; with whole terrain costs log of a small bucket",
       .memory =
           "8 bytes per pose, four poses per lattice vertex, 16 per frontier entry; 16 and 24 "
-          "with terrain costs that are not whole or above 5, a factor for reversing, or a "
-          "weight other than 0 and 1",
+          "with terrain costs that are not whole or above 5, a factor for reversing, a weight "
+          "other than 0 and 1, or an initial_weight",
       .when =
           "For robots that cannot turn in place. On a fine map set lattice_resolution to the "
-          "turning radius in cells.",
+          "turning radius in cells. With an initial_weight it has a path soon and better ones "
+          "until a limit, as ara_star.",
       .motion = "car",
       .mover = "a car, from corner to corner",
       .cost_name = "fuel",

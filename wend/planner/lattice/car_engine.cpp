@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "wend/planner/anytime_engine.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
 #include "wend/planner/widening_engine.hpp"
@@ -122,6 +123,18 @@ std::unique_ptr<LatticeEngine<CarLattice>> make_engine(const CarLattice& lattice
   if (too_far(lattice)) return exact();
   return std::make_unique<WideningEngine<LatticeEngine<CarLattice>>>(
       [=] { return engine_of<CompactCarCosts>(lattice, heuristic, weight); }, exact);
+}
+
+/// Its weights are real numbers, so its costs are.
+std::unique_ptr<LatticeEngine<CarLattice>> make_anytime_engine(const CarLattice& lattice,
+                                                               CarHeuristic heuristic,
+                                                               AnytimeWeights weights) {
+  using Space = CarSpace<RealCarCosts>;
+  using Priority = LatticePriority<Space, CarEstimates<RealCarCosts>>;
+  using Engine = AnytimeEngineOf<LatticeEngine<CarLattice>, LatticeNames, Space, Priority>;
+  return std::make_unique<Engine>(
+      Space(lattice), Priority(CarEstimates<RealCarCosts>(lattice, heuristic), weights.first),
+      weights);
 }
 
 void write_drive(const CarLattice& lattice, std::span<const CornerPose> places, Plan& out) {

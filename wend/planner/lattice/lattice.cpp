@@ -40,9 +40,11 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
   const auto lattice_for = [options = *options](const FreeSpace& other) {
     return lattice_of(other, options);
   };
-  const auto engine_on = [heuristic = options->heuristic,
-                          weight = options->weight](const MotionLattice& lattice) {
-    return make_engine(lattice, heuristic, weight);
+  const auto engine_on = [options = *options](const MotionLattice& lattice) {
+    if (options.anytime()) {
+      return make_anytime_engine(lattice, options.heuristic, anytime_weights(options));
+    }
+    return make_engine(lattice, options.heuristic, options.weight);
   };
   auto planner = std::make_unique<LatticePlanner<MotionLattice>>(
       space, LatticeParts<MotionLattice>{lattice_for, engine_on, "the robot", options->bound()});
@@ -63,15 +65,17 @@ PlannerInfo lattice_planner() {
       .citation = "Pivtoraiko, Kelly 2005; Hart, Nilsson, Raphael 1968",
       .guarantee_text =
           "optimal among the paths of its primitives with a weight up to 1; above 1 "
-          "at most w times the optimum",
+          "at most w times the optimum; of an anytime search at a limit, at most the bound that it "
+          "has proven times the optimum",
       .time =
           "O(n log n) in the n poses expanded; the heuristic O(m log m) in the cells it reaches",
       .memory =
-          "16 bytes per cell and heading where the search goes, in pages; 16 per cell with the "
-          "heuristic; 24 per frontier entry",
+          "16 bytes per cell and heading where the search goes, in pages, 24 with an "
+          "initial_weight; 16 per cell with the heuristic; 24 per frontier entry",
       .when =
           "For robots that are not round, or that have a turning circle. Primitives come from "
-          "SBPL's or Nav2's files (--primitives), or from a turning radius.",
+          "SBPL's or Nav2's files (--primitives), or from a turning radius. With an initial_weight "
+          "it has a path soon and better ones until a limit, as ara_star.",
       .motion = "poses",
       .mover = "a robot with a shape and a heading, from cell to cell",
       .guarantee = Guarantee::bounded,

@@ -12,6 +12,7 @@
 #include "wend/planner/lattice/lattice_options.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/search_engine.hpp"
+#include "wend/search/anytime_search.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
 #include "wend/space/lattice/motion_lattice.hpp"
 
@@ -57,6 +58,20 @@ std::unique_ptr<LatticeEngine<CarLattice>> make_engine(const CarLattice& lattice
 std::unique_ptr<LatticeEngine<MotionLattice>> make_engine(const MotionLattice& lattice,
                                                           LatticeHeuristic heuristic,
                                                           double weight);
+
+/// The weights of CarOptions or LatticeOptions with anytime().
+template <class Options>
+AnytimeWeights anytime_weights(const Options& options) {
+  return {options.initial_weight, options.weight_step, options.bound()};
+}
+
+/// The same for an anytime search.
+std::unique_ptr<LatticeEngine<CarLattice>> make_anytime_engine(const CarLattice& lattice,
+                                                               CarHeuristic heuristic,
+                                                               AnytimeWeights weights);
+std::unique_ptr<LatticeEngine<MotionLattice>> make_anytime_engine(const MotionLattice& lattice,
+                                                                  LatticeHeuristic heuristic,
+                                                                  AnytimeWeights weights);
 
 /// Sets the cost of a path through these places and the names of its moves. The path has a pose for each place,
 /// and may get more between them.

@@ -45,6 +45,18 @@ constexpr std::array<Choice<LatticeHeuristic>, 3> choice_names(LatticeHeuristic)
            {"obstacles", LatticeHeuristic::obstacles}}};
 }
 
+namespace detail {
+template <class Weight, class Field>
+void anytime_fields(Weight& initial_weight, Weight& weight_step, Field&& field) {
+  field({"initial_weight",
+         "w until the first path; if it is above the weight and 1, the search is anytime, and w "
+         "falls from here to the larger of these two"},
+        initial_weight, OptionRange{1, 1e6});
+  field({"weight_step", "what the next w of an anytime search is below the bound that is proven"},
+        weight_step, OptionRange{0.01, 1e6});
+}
+}  // namespace detail
+
 /// The options of `car`.
 struct CarOptions {
   static constexpr std::string_view kPlanner = "car";  // its name
@@ -53,9 +65,13 @@ struct CarOptions {
   double turning_radius = 0;  // metres; if above 0, it sets the lattice resolution instead
   CarHeuristic heuristic = CarHeuristic::headings;  // the estimate of the cost to the goal
   double weight = 1;                                // w >= 0 in f = g + w h: 0 is Dijkstra
+  double initial_weight = 1;  // above weight and 1: anytime, as `ara_star`; w falls to the larger
+  double weight_step = 0.5;   // what the next w is below the bound that is proven
 
-  /// Plan::bound of every answer.
+  /// Plan::bound of every answer, of an anytime search without a limit at most.
   double bound() const { return weight > 1 ? weight : 1; }
+  /// Does it find paths until the best or a limit, as `ara_star` does?
+  bool anytime() const { return initial_weight > bound(); }
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -70,6 +86,7 @@ struct CarOptions {
            "optimum",
            {"lambda", "w"}},
           self.weight, OptionRange{0, 1e6});
+    detail::anytime_fields(self.initial_weight, self.weight_step, field);
   }
 };
 
@@ -86,9 +103,13 @@ struct LatticeOptions {
   LatticeCosts costs = {};    // of the primitives
   LatticeHeuristic heuristic = LatticeHeuristic::obstacles;  // the estimate of the cost to the goal
   double weight = 1;                                         // w >= 0 in f = g + w h: 0 is Dijkstra
+  double initial_weight = 1;  // above weight and 1: anytime, as `ara_star`; w falls to the larger
+  double weight_step = 0.5;   // what the next w is below the bound that is proven
 
-  /// Plan::bound of every answer.
+  /// Plan::bound of every answer, of an anytime search without a limit at most.
   double bound() const { return weight > 1 ? weight : 1; }
+  /// Does it find paths until the best or a limit, as `ara_star` does?
+  bool anytime() const { return initial_weight > bound(); }
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -108,6 +129,7 @@ struct LatticeOptions {
            "w in f = g + w h: 0 is Dijkstra, 1 is A*; above 1 the cost is at most w times the "
            "optimum"},
           self.weight, OptionRange{0, 1e6});
+    detail::anytime_fields(self.initial_weight, self.weight_step, field);
   }
 };
 

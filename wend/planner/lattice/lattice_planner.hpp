@@ -31,7 +31,7 @@ struct LatticeParts {
   /// A search on it; not allocated() without memory for its nodes.
   std::function<std::unique_ptr<LatticeEngine<Lattice>>(const Lattice&)> make_engine;
   std::string robot;    // whose poses they are, in errors: "the car"
-  double bound = 1;     // Plan::bound of every answer
+  double bound = 1;     // Plan::bound of every answer, unless the engine has one
   int corner_unit = 0;  // Planner::corner_unit()
 };
 
@@ -165,7 +165,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
       if (const auto place = lattice_->nearest(pose)) places_.push_back(*place);
     }
     write_drive(*lattice_, places_, out);
-    out.bound = parts_.bound;
+    out.bound = engine_->bound().value_or(parts_.bound);
     const Place& last = places_.back();
     const auto reached =
         std::ranges::find_if(goals_, [&](const PlaceGoal& goal) { return goal.contains(last); });

@@ -62,6 +62,15 @@ class LatticePriority {
     return around_obstacles_ == nullptr ? std::nullopt : around_obstacles_->stopped();
   }
 
+  /// For an AnytimeSearch, in real numbers: the weight of its next round.
+  void weigh(double weight) { weight_ = weight; }
+  /// For the same: at most the cost of a path through the state.
+  Cost total(const State& state, Cost g) const
+    requires(!std::is_integral_v<Cost>)
+  {
+    return g + estimates_.scale() * kNotAbove * estimate_of(state.place);
+  }
+
   Key key(const State& state, Cost g) const {
     const Cost estimate = estimate_of(state.place);
     if constexpr (std::is_integral_v<Cost>) {

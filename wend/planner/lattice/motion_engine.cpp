@@ -6,6 +6,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
+#include "wend/planner/anytime_engine.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
 #include "wend/search/frontiers.hpp"
@@ -63,6 +64,8 @@ using MotionPriority = LatticePriority<MotionSpace, MotionEstimates>;
 using MotionEngine =
     SearchEngineOf<LatticeEngine<MotionLattice>, LatticeNames, MotionSpace, MotionFrontier,
                    MotionPriority, DuplicateRule::keep_cheaper, ParentLinks, PagedNodes>;
+using AnytimeMotionEngine = AnytimeEngineOf<LatticeEngine<MotionLattice>, LatticeNames, MotionSpace,
+                                            MotionPriority, ParentLinks, PagedNodes>;
 
 /// "(2.5,3.5,90deg)", in grid coordinates
 std::string text_of(const Pose& pose) {
@@ -88,6 +91,14 @@ std::unique_ptr<LatticeEngine<MotionLattice>> make_engine(const MotionLattice& l
   const auto kind = weight == 0 ? LatticeHeuristic::zero : heuristic;
   return std::make_unique<MotionEngine>(MotionSpace(lattice),
                                         MotionPriority(MotionEstimates(lattice, kind), weight));
+}
+
+std::unique_ptr<LatticeEngine<MotionLattice>> make_anytime_engine(const MotionLattice& lattice,
+                                                                  LatticeHeuristic heuristic,
+                                                                  AnytimeWeights weights) {
+  return std::make_unique<AnytimeMotionEngine>(
+      MotionSpace(lattice), MotionPriority(MotionEstimates(lattice, heuristic), weights.first),
+      weights);
 }
 
 /// The path gets the segments of the steps.

@@ -15,7 +15,7 @@
 
 namespace wend_ros {
 
-/// `Message` has expanded, elapsed and best_bound.
+/// `Message` has expanded, elapsed and best_bound; it may have solutions, cost and bound.
 template <class Message, class Publish>
 class Feedback {
  public:
@@ -44,8 +44,20 @@ class Feedback {
       message.elapsed =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       message.best_bound = watch_.f();
+      put(watch_.solutions(), message);
       publish_(message);
       ended_.wait_for(lock, kPeriod, [this] { return done_; });
+    }
+  }
+
+  /// The priorities of an anytime search are weighted: what it has proven counts, once it has a path.
+  static void put(const Solutions& solutions, Message& message) {
+    if (solutions.count == 0) return;
+    if (solutions.bound >= 1) message.best_bound = solutions.cost / solutions.bound;
+    if constexpr (requires { message.solutions; }) {
+      message.solutions = solutions.count;
+      message.cost = solutions.cost;
+      message.bound = solutions.bound;
     }
   }
 

@@ -34,6 +34,7 @@ struct Ask {
 struct Watch {
   const std::atomic<bool>* cancel = nullptr;
   wend::SearchObserver* observer = nullptr;
+  wend::OnSolution on_solution = {};
 };
 
 /// A failure as an answer.
