@@ -144,7 +144,7 @@ void EuclideanEngine::for_each_hub(Cell cell, Visit&& visit) {
       visit(label.hub, length + label.length, entry);
     }
     ++metrics_.expanded;
-    metrics_.generated += seen.count;
+    metrics_.generated += seen.count + std::uint64_t{1};
   }
 }
 
