@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "wend/space/se2/coarse_size.hpp"
+
 namespace wend {
 namespace {
 
@@ -34,13 +36,27 @@ HybridResolution HybridPortfolio::resolution_of(Kind kind) const {
   return resolution;
 }
 
+/// The size of the coarse squares, in steps. Large ones are quick; where the first search finds nothing, the
+/// robot passes close to walls, and smaller ones know better how.
+double HybridPortfolio::squares_of(Kind kind) {
+  constexpr double kQuick = 1.5;
+  constexpr double kCloser = 0.75;
+  if (kind == direct) return kQuick;
+  return kind < fine ? kCloser : 1;
+}
+
 void HybridPortfolio::make(Kind kind) {
   Member& member = members_[kind];
   const FreeSpace& space = ground_->free_space();
   const HybridResolution resolution = resolution_of(kind);
-  const double most = (kind >= fine ? 1 : 1.5) * resolution.step;
-  const BitGrid& cells = kind >= fine ? ground_->drivable() : space.possible();
-  member.grid = std::make_unique<CoarseGrid>(space, cells, coarse_size(space, most));
+  const double most = squares_of(kind) * resolution.step;
+  const CoarseGrid* const alike = kind == wide ? members_[backward].grid.get() : nullptr;
+  if (alike != nullptr) {
+    member.grid = std::make_unique<CoarseGrid>(*alike);
+  } else {
+    const BitGrid& cells = kind >= fine ? ground_->drivable() : space.possible();
+    member.grid = std::make_unique<CoarseGrid>(space, cells, coarse_size(space, cells, most));
+  }
   if (kind == wide) {
     member.grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
   }

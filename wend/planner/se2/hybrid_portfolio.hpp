@@ -8,6 +8,8 @@
 //   wide     a heuristic that avoids narrow places
 //   fine     smaller boxes and shorter motions
 //
+// All but the first have a finer heuristic, too.
+//
 // Two floods run along with them: where the goal or the start is boxed in, one of them ends soon. If a flood or all
 // four searches have ended, a last search looks for a drive between the poses of a lattice, along and across the cells.
 // If it finds none, the answer is that there is no path. A search or a flood is made when a query first needs it.
@@ -60,6 +62,7 @@ class HybridPortfolio {
 
   void make(Kind kind);
   HybridResolution resolution_of(Kind kind) const;
+  static double squares_of(Kind kind);
   std::optional<SearchOutcome> stopped(const Limits& limits, double end) const;
   SearchOutcome run_member(Kind kind, std::uint64_t most, const Limits& limits, double end);
   std::optional<SearchOutcome> take_turn(Kind kind, std::uint64_t most, const Limits& limits,
