@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/index/euclidean_labels/taut_labelling.hpp"
 #include "wend/index/euclidean_labels/taut_order.hpp"
 #include "wend/sight/taut_map.hpp"
@@ -139,7 +140,7 @@ bool EuclideanEngine::find(Cell start, Cell goal) {
   path_.clear();
   metrics_ = {1, 1, 1};
   if (start == goal || portals_.sees(start, goal)) {
-    length_ = std::hypot(goal.x - start.x, goal.y - start.y);
+    length_ = hypotenuse(goal.x - start.x, goal.y - start.y);
     return true;
   }
   for_each_hub(start, [this](std::uint32_t hub, TautLength length, std::uint32_t entry) {
