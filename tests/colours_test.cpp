@@ -95,6 +95,7 @@ TEST(ColoursPage, ListsTheColoursOfPlots) {
                                  "hybrid_astar",
                                  "any_angle",
                                  "ara_star",
+                                 "euclidean_labels",
                                  "others"}) {
     const std::vector<std::string> first{name.substr(0, name.find(','))};
     const std::size_t colour =

@@ -58,6 +58,17 @@ TEST_F(IndexCommand, PlansAsAStarDoes) {
   }
 }
 
+TEST_F(IndexCommand, OfEuclideanLabelsPlansAsAnyAngleDoes) {
+  const json expected = json::parse(plan(map_, {"--planner", "any_angle", "--format", "json"}).out);
+  const std::string index = build("euclidean_labels");
+  const Outcome outcome = plan(map_, {"--index", index, "--format", "json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json found = json::parse(outcome.out);
+  EXPECT_EQ(found.at("planner"), "euclidean_labels");
+  EXPECT_TRUE(found.at("waypoints"));
+  EXPECT_NEAR(found.at("cost").get<double>(), expected.at("cost").get<double>(), 1e-9);
+}
+
 TEST_F(IndexCommand, PlanSaysThatItBuildsAnIndexAndDoesNotKeepIt) {
   const Outcome built = plan(map_, {"--planner", "hub_labels"});
   EXPECT_EQ(built.code, 0) << built.err;

@@ -137,6 +137,16 @@ TEST(SearchSnippets, OfCornersAndTheirSight) {
   const auto map = wend::TautMap::make(shared, wend::TautMap::usual_most_bytes(*shared));
   if (map != nullptr) map->for_each_seen({0, 3}, mark_corner);
   EXPECT_EQ(marked, std::vector<Cell>{Cell{}});
+
+  const auto wants_more = [](double share) { return share < 1; };
+  std::size_t edges = 0;
+  const auto use = [&](const std::shared_ptr<const wend::TautMap>& made) {
+    edges = made->graph().edges();
+  };
+  wend::TautMapMaking making(shared, wend::TautMap::usual_most_bytes(*shared));
+  const auto state = making.go_on([&](double share) { return wants_more(share); });
+  if (state == wend::TautMapMaking::State::finished) use(making.take());
+  EXPECT_EQ(edges, 2U) << "between its corners, there and back";
 }
 
 TEST(SearchSnippets, OfGoalCosts) {

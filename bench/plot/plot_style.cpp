@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kColours = kLightPlot.names.size();
 
 /// Planners are never compared with controllers.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 25> kOwn{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 26> kOwn{{
     {"astar", 0},
     {"dijkstra", 1},
     {"jps", 2},
@@ -32,6 +32,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 25> kOwn{{
     {"hybrid_astar", 17},
     {"any_angle", 18},
     {"ara_star", 19},
+    {"euclidean_labels", 20},
     {"p", 0},
     {"p_moving", 1},
     {"pid", 2},

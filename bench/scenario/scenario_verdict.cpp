@@ -30,9 +30,16 @@ std::string wrong_answer(const FreeSpace& space, GridMoves moves, const Scenario
   if (query.says_no_path()) {
     return fmt::format("found a path of length {:.8g}, expected none", *length);
   }
-  if (kind == PathKind::lines || length_matches(query, *length)) return {};
+  if (length_matches(query, *length)) return {};
+  const bool shorter = *length < query.length;
+  if (shorter && kind == PathKind::lines) return {};
+  const double least = *length / plan.bound;  // if the bound is true
+  if (!shorter && (least <= query.length || length_matches(query, least))) return {};
+  const std::string expected = format_number(query.length);
   return fmt::format("found a path of length {:.8f}, expected {}", *length,
-                     format_number(query.length));
+                     shorter || plan.bound == 1
+                         ? expected
+                         : fmt::format("at most {:.8g} times {}", plan.bound, expected));
 }
 
 }  // namespace wend

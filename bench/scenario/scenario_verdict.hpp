@@ -20,9 +20,9 @@ enum class PathKind {
 
 /// What is wrong with an answer, or empty. Wrong answers: no path although the query has a length, a
 /// path although the query says that there is no path, a path that does not join start and goal or
-/// is not valid cell by cell, and a path of another length. On terrain the length is a cost. An
-/// answer that ran out of time is not wrong. A path of lines may have any length, for the query has
-/// that of the shortest path of steps. O(length).
+/// is not valid cell by cell, and a path that is shorter than the query's length or longer than the
+/// plan's bound allows. On terrain the length is a cost. An answer that ran out of time is not wrong. A path of lines may
+/// be shorter, for the query has the length of the shortest path of steps. O(length).
 std::string wrong_answer(const FreeSpace& space, GridMoves moves, const ScenarioQuery& query,
                          Status status, const Plan& plan, PathKind kind = PathKind::steps);
 

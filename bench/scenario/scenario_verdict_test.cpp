@@ -21,6 +21,7 @@ ScenarioQuery query_of_length(double length) {
 Plan plan_along(std::vector<Cell> cells) {
   Plan plan;
   plan.path = Path(std::move(cells));
+  plan.bound = 1;
   return plan;
 }
 
@@ -37,6 +38,22 @@ std::string verdict(const ScenarioQuery& query, Status status, const Plan& plan)
 TEST(WrongAnswer, IsAnotherLength) {
   EXPECT_THAT(verdict(query_of_length(2), Status::found, kStraight), IsEmpty());
   EXPECT_THAT(verdict(query_of_length(2.1), Status::found, kStraight), HasSubstr("expected 2.1"));
+}
+
+TEST(WrongAnswer, IsALengthBeyondTheBoundOrShorterThanTheShortest) {
+  Plan detour = plan_along({{0, 0}, {0, 1}, {1, 1}, {2, 1}, {2, 0}});
+  const auto with_bound = [&](double bound, double length) {
+    detour.bound = bound;
+    return verdict(query_of_length(length), Status::found, detour);
+  };
+  EXPECT_THAT(with_bound(1, 2), HasSubstr("found a path of length 4.00000000, expected 2"));
+  EXPECT_THAT(with_bound(1.9, 2), HasSubstr("expected at most 1.9 times 2"));
+  EXPECT_THAT(with_bound(2, 2), IsEmpty());
+  EXPECT_THAT(with_bound(3, 2), IsEmpty());
+  EXPECT_THAT(with_bound(Plan::kNoBound, 2), IsEmpty());
+  for (const double bound : {1.0, 2.0, Plan::kNoBound}) {
+    EXPECT_THAT(with_bound(bound, 4.1), HasSubstr("length 4.00000000, expected")) << bound;
+  }
 }
 
 TEST(WrongAnswer, IsALineThatIsNotFreeWhateverTheLength) {

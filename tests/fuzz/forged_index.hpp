@@ -17,7 +17,7 @@
 
 namespace wend::test {
 
-inline FreeSpace space_for_forgery() {
+inline FreeSpace space_for_forgery(const FreeSpaceOptions& robot) {
   constexpr std::array<std::string_view, 8> kRows{"....#...........", ".##.#.#####.##..",  //
                                                   ".#..#.....#..#..", ".#.####.#.##.#..",  //
                                                   ".....#..#....#..", "##.#...###.###..",  //
@@ -31,7 +31,7 @@ inline FreeSpace space_for_forgery() {
       }
     }
   }
-  return *make_free_space(*make_grid_map(cells));
+  return *make_free_space(*make_grid_map(cells), robot);
 }
 
 /// Asks for all pairs of some cells.
@@ -80,15 +80,20 @@ inline const std::vector<WholeIndex>& whole_indexes(const FreeSpace& space) {
 
 /// Forges an index of every planner; what is wrong, empty if nothing is.
 inline std::string use_forged_indexes(std::string_view changes) {
-  static const FreeSpace space = space_for_forgery();
+  static const FreeSpace space = space_for_forgery({});
+  // A disc that fits in the same cells, but not along every path of a point.
+  static const FreeSpace of_disc = space_for_forgery({.footprint = Footprint::disc(0.49)});
   for (const WholeIndex& index : whole_indexes(space)) {
     const auto bytes = forged(index.bytes.bytes(), changes);
-    const auto planner =
-        index.planner->index_support->make_planner(space, {}, IndexBytes::copy_of(bytes));
-    if (planner) {
-      ask(**planner);
-    } else if (planner.error().status != Status::index_mismatch) {
-      return index.planner->name + ": refused as " + std::string(to_string(planner.error().status));
+    for (const FreeSpace* const robot : {&space, &of_disc}) {
+      const auto planner =
+          index.planner->index_support->make_planner(*robot, {}, IndexBytes::copy_of(bytes));
+      if (planner) {
+        ask(**planner);
+      } else if (planner.error().status != Status::index_mismatch) {
+        return index.planner->name + ": refused as " +
+               std::string(to_string(planner.error().status));
+      }
     }
   }
   return {};

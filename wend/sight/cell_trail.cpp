@@ -23,9 +23,10 @@ class Trail {
     cells_.assign(1, start);
   }
 
-  /// Into the run in which the path leaves a corner.
-  void leave(const TautCorner& corner, HalfCells to) {
+  /// Into the run in which the path leaves a corner. False if the trail has not come to it.
+  bool leave(const TautCorner& corner, HalfCells to) {
     const Portal& portal = portals_.portal(corner.portal);
+    if (run_ != portal.above && run_ != portal.below) return false;
     const HalfCells from = vertex(corner);
     std::uint32_t next = run_;
     if (to.y != from.y) {
@@ -34,18 +35,20 @@ class Trail {
       next = run_ == portal.above ? portal.below : portal.above;
     }
     if (next != run_) cross(portal, corner.x);
+    return true;
   }
 
-  /// Along a line, as far as the run in which it ends.
-  void follow(HalfCells from, HalfCells to) {
-    if (from.y == to.y) return;
+  /// Along a line, as far as the run in which it ends. False if obstacles bar it.
+  bool follow(HalfCells from, HalfCells to) {
+    if (from.y == to.y) return true;
     const bool up = to.y > from.y;
     const std::int64_t rows = up ? to.y - from.y : from.y - to.y;  // in half cells
     for (std::int64_t away = from.y % 2 == 0 ? 2 : 1; away < rows; away += 2) {
       const std::int64_t at = from.x * rows + (to.x - from.x) * away;  // x times rows
       const SightRun& run = portals_.run(run_);
       std::uint32_t id = up ? run.first_above : run.first_below;
-      std::uint32_t end = up ? portals_.end_above(run_) : portals_.end_below(run_);
+      const std::uint32_t last = up ? portals_.end_above(run_) : portals_.end_below(run_);
+      std::uint32_t end = last;
       while (id < end) {  // the first one that does not end left of the line
         const std::uint32_t middle = id + (end - id) / 2;
         if (2 * std::int64_t{portals_.portal(middle).right} * rows < at) {
@@ -54,12 +57,18 @@ class Trail {
           end = middle;
         }
       }
+      if (id == last) return false;
       cross(portals_.portal(id), static_cast<int>(at / (2 * rows)));
     }
+    return true;
   }
 
-  /// To a cell of the run that was reached.
-  void end_at(Cell goal) { walk_to(goal.x); }
+  /// To a cell of the run that was reached. False for one of another run.
+  bool end_at(Cell goal) {
+    if (run_ != portals_.run_of(goal)) return false;
+    walk_to(goal.x);
+    return true;
+  }
 
  private:
   /// Does a run go on beside a vertex of its side?
@@ -98,19 +107,19 @@ class Trail {
 
 }  // namespace
 
-void write_trail(const Portals& portals, Cell start, std::span<const std::uint32_t> corners,
+bool write_trail(const Portals& portals, Cell start, std::span<const std::uint32_t> corners,
                  Cell goal, std::vector<Cell>& cells) {
   Trail trail(portals, start, cells);
   HalfCells at = centre(start);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const TautCorner& corner = portals.corners()[corners[i]];
-    trail.follow(at, vertex(corner));
+    if (!trail.follow(at, vertex(corner))) return false;
     at = vertex(corner);
     const bool is_last = i + 1 == corners.size();
-    trail.leave(corner, is_last ? centre(goal) : vertex(portals.corners()[corners[i + 1]]));
+    const HalfCells to = is_last ? centre(goal) : vertex(portals.corners()[corners[i + 1]]);
+    if (!trail.leave(corner, to)) return false;
   }
-  trail.follow(at, centre(goal));
-  trail.end_at(goal);
+  return trail.follow(at, centre(goal)) && trail.end_at(goal);
 }
 
 }  // namespace wend

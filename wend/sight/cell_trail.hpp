@@ -13,8 +13,9 @@
 namespace wend {
 
 /// Replaces `cells` by those that a path passes from the centre of one cell by corners to the centre of another,
-/// both included. A step is diagonal only through a gap. The path is free, as one of TautSearch is. O(cells passed).
-void write_trail(const Portals& portals, Cell start, std::span<const std::uint32_t> corners,
+/// both included. A step is diagonal only through a gap. False if there is no such path, as a forged index may say; what
+/// was written is of no use then. O(cells passed).
+bool write_trail(const Portals& portals, Cell start, std::span<const std::uint32_t> corners,
                  Cell goal, std::vector<Cell>& cells);
 
 }  // namespace wend

@@ -19,28 +19,17 @@ std::size_t TautMap::usual_most_bytes(const Portals& portals) {
 
 std::shared_ptr<const TautMap> TautMap::make(std::shared_ptr<const Portals> portals,
                                              std::size_t most_bytes) {
-  const std::shared_ptr<TautMap> map(new TautMap(std::move(portals)));
-  if (!map->look_around_all_corners(most_bytes)) return nullptr;
-  map->graph_.learn_ahead();
-  return map;
+  TautMapMaking making(std::move(portals), most_bytes);
+  const auto state = making.go_on([](double) { return true; });
+  return state == TautMapMaking::State::finished ? making.take() : nullptr;
 }
 
-bool TautMap::look_around_all_corners(std::size_t most_bytes) {
-  constexpr std::size_t kBytesAWord = sizeof(std::uint64_t) + sizeof(std::uint32_t);
-  std::vector<Entry> entries;
-  const auto corners = static_cast<std::uint32_t>(graph_.portals().corners().size());
-  for (std::uint32_t corner = 0; corner < corners; ++corner) {
-    graph_.learn(corner, [this](int y, int first, int last) { see(y, first, last); });
-    for (const std::uint32_t block : touched_) {
-      entries.push_back({block, corner, std::exchange(seen_[block], 0)});
-    }
-    touched_.clear();
-    if (entries.size() * kBytesAWord + graph_.edges() * sizeof(TautGraph::Edge) > most_bytes) {
-      return false;
-    }
+void TautMap::look_around(std::uint32_t corner, std::vector<Entry>& entries) {
+  graph_.learn(corner, [this](int y, int first, int last) { see(y, first, last); });
+  for (const std::uint32_t block : touched_) {
+    entries.push_back({block, corner, std::exchange(seen_[block], 0)});
   }
-  store(entries);
-  return true;
+  touched_.clear();
 }
 
 void TautMap::see(int y, int first, int last) {
@@ -70,6 +59,26 @@ void TautMap::store(const std::vector<Entry>& entries) {
   }
   seen_ = {};
   touched_ = {};
+}
+
+TautMapMaking::TautMapMaking(std::shared_ptr<const Portals> portals, std::size_t most_bytes)
+    : map_(new TautMap(std::move(portals))), most_bytes_(most_bytes) {}
+
+TautMapMaking::State TautMapMaking::go_on(const std::function<bool(double share)>& goes_on) {
+  constexpr std::size_t kBytesAWord = sizeof(std::uint64_t) + sizeof(std::uint32_t);
+  TautGraph& graph = map_->graph_;
+  const auto corners = static_cast<std::uint32_t>(graph.portals().corners().size());
+  for (; next_ < corners; ++next_) {
+    if (!goes_on(static_cast<double>(next_) / corners)) return State::unfinished;
+    map_->look_around(next_, entries_);
+    if (entries_.size() * kBytesAWord + graph.edges() * sizeof(TautGraph::Edge) > most_bytes_) {
+      return State::too_large;
+    }
+  }
+  map_->store(entries_);
+  entries_ = {};
+  graph.learn_ahead();
+  return State::finished;
 }
 
 }  // namespace wend

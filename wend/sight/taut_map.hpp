@@ -8,10 +8,17 @@
 // The cells that see a corner are sets of bits, a word for each block of 8 x 8 cells, found by one sweep from the
 // corner. So a cell looks up what it sees: those words of its block that have its bit.
 //
-// O(corners times portals seen) to make; 24 bytes an edge, 12 for each corner and each block that sees it.
+// O(corners times portals seen) to make; 24 bytes an edge, 12 for each corner and each block that sees it. Who cannot
+// wait so long makes it in parts:
+//
+//   wend::TautMapMaking making(shared, wend::TautMap::usual_most_bytes(*shared));
+//   const auto state = making.go_on([&](double share) { return wants_more(share); });
+//   if (state == wend::TautMapMaking::State::finished) use(making.take());
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
@@ -24,7 +31,7 @@ class TautMap {
   /// What searches allow: 1 MiB and 64 bytes a cell.
   static std::size_t usual_most_bytes(const Portals& portals);
 
-  /// Null where edges and words would take more memory than that.
+  /// Null where edges and words would take more memory than `most_bytes`.
   static std::shared_ptr<const TautMap> make(std::shared_ptr<const Portals> portals,
                                              std::size_t most_bytes);
 
@@ -53,6 +60,8 @@ class TautMap {
   }
 
  private:
+  friend class TautMapMaking;
+
   /// Where a block sees a corner.
   struct Entry {
     std::uint32_t block;
@@ -68,7 +77,7 @@ class TautMap {
   static unsigned bit_of(int x, int y) {
     return static_cast<unsigned>(y % kSide * kSide + x % kSide);
   }
-  bool look_around_all_corners(std::size_t most_bytes);
+  void look_around(std::uint32_t corner, std::vector<Entry>& entries);
   void see(int y, int first, int last);
   void store(const std::vector<Entry>& entries);
 
@@ -79,6 +88,28 @@ class TautMap {
   std::vector<std::uint32_t> first_;    // of each block, and one past the last
   std::vector<std::uint64_t> words_;
   std::vector<std::uint32_t> corners_;  // of each word
+};
+
+/// A TautMap while it is made. One thread at a time.
+class TautMapMaking {
+ public:
+  enum class State { unfinished, too_large, finished };
+
+  /// `most_bytes` as in TautMap::make().
+  TautMapMaking(std::shared_ptr<const Portals> portals, std::size_t most_bytes);
+
+  /// Looks around corners until it has seen all of them, or their edges and words take too much memory. Before each
+  /// one it asks goes_on(share of the corners that are done), and stops for now if the answer is no.
+  State go_on(const std::function<bool(double share)>& goes_on);
+
+  /// The map, once it is finished.
+  std::shared_ptr<const TautMap> take() { return std::move(map_); }
+
+ private:
+  std::shared_ptr<TautMap> map_;
+  std::vector<TautMap::Entry> entries_;
+  std::size_t most_bytes_;
+  std::uint32_t next_ = 0;  // corner
 };
 
 }  // namespace wend

@@ -80,6 +80,39 @@ TEST(TautMap, KnowsTheEdgesThatAGraphLearns) {
   }
 }
 
+TEST(TautMapMaking, StopsWhenToldToAndGoesOnToTheSameMap) {
+  Random random(3);
+  const auto portals = portals_of(random_ground(random), false);
+  const auto corners = portals->corners().size();
+  ASSERT_GT(corners, 20U);
+  TautMapMaking making(portals, TautMap::usual_most_bytes(*portals));
+  std::size_t parts = 0;
+  std::size_t asked = 0;
+  double last = 0;
+  const auto three_corners = [&, left = 3](double share) mutable {
+    EXPECT_GE(share, last);
+    EXPECT_LT(share, 1);
+    last = share;
+    ++asked;
+    return left-- > 0;
+  };
+  auto state = TautMapMaking::State::unfinished;
+  while (state == TautMapMaking::State::unfinished) {
+    state = making.go_on(three_corners);
+    ++parts;
+  }
+  ASSERT_EQ(state, TautMapMaking::State::finished);
+  EXPECT_EQ(parts, corners / 3 + (corners % 3 == 0 ? 0 : 1));
+  EXPECT_EQ(asked, corners + parts - 1);
+  const auto map = making.take();
+  const auto whole = TautMap::make(portals, TautMap::usual_most_bytes(*portals));
+  ASSERT_EQ(map->graph().edges(), whole->graph().edges());
+  for (std::uint32_t i = 0; i < whole->graph().edges(); ++i) {
+    EXPECT_EQ(map->graph().edge(i).to, whole->graph().edge(i).to);
+    EXPECT_EQ(map->graph().edge(i).begin, whole->graph().edge(i).begin);
+  }
+}
+
 TEST(TautMap, IsNotMadeWhereItWouldTakeTooMuchMemory) {
   BitGrid free(9, 9);
   for (const Cell cell : every_cell(free)) free.set(cell, cell != Cell{4, 4});

@@ -16,7 +16,7 @@ namespace {
 using Failure = Unexpected<Error>;
 
 constexpr std::size_t kMostBytesFactor = 4;  // of what searches allow a TautMap
-constexpr std::uint32_t kHubsBetweenTelling = 64;
+constexpr std::uint32_t kCornersBetweenTelling = 64;
 constexpr double kMapShare = 0.4;  // of the work, approximately
 constexpr double kLabelsShare = 0.9;
 
@@ -26,13 +26,31 @@ Failure unsupported(std::string what) {
 
 Failure cancelled() { return Failure({Status::cancelled, "the index was not finished"}); }
 
+Expected<std::shared_ptr<const TautMap>, Error> make_map(
+    const std::shared_ptr<const Portals>& portals, const IndexBuilding& building) {
+  const std::size_t most_bytes = kMostBytesFactor * TautMap::usual_most_bytes(*portals);
+  TautMapMaking making(portals, most_bytes);
+  std::uint32_t asked = 0;
+  const auto state = making.go_on([&](double share) {
+    if (asked++ % kCornersBetweenTelling == 0) building.tell(kMapShare * share);
+    return !building.cancelled();
+  });
+  if (state == TautMapMaking::State::unfinished || building.cancelled()) return cancelled();
+  if (state == TautMapMaking::State::too_large) {
+    return unsupported("what the corners of the map see takes more than " +
+                       std::to_string(most_bytes >> 20U) +
+                       " MiB, the most for a Euclidean label index; any_angle needs no index");
+  }
+  return making.take();
+}
+
 /// Labels all corners. False if it was cancelled.
 bool label_corners(const TautGraph& graph, TautLabelling& labelling,
                    const IndexBuilding& building) {
   const std::vector<std::uint32_t> order = taut_order(graph, building);
   for (const std::uint32_t corner : order) {
     if (building.cancelled()) return false;
-    if (labelling.hubs() % kHubsBetweenTelling == 0) {
+    if (labelling.hubs() % kCornersBetweenTelling == 0) {
       building.tell(kMapShare + (kLabelsShare - kMapShare) * labelling.hubs() /
                                     static_cast<double>(order.size()));
     }
@@ -60,23 +78,18 @@ Expected<IndexBytes, Error> build_euclidean_index(const BitGrid& passable,
                        std::to_string(TautLabelSections::kMostCorners) +
                        "; any_angle needs no index");
   }
-  const std::size_t most_bytes = kMostBytesFactor * TautMap::usual_most_bytes(*portals);
-  const auto map = TautMap::make(portals, most_bytes);
-  if (map == nullptr) {
-    return unsupported("what the corners of the map see takes more than " +
-                       std::to_string(most_bytes >> 20U) +
-                       " MiB, the most for a Euclidean label index; any_angle needs no index");
-  }
-  if (building.cancelled()) return cancelled();
+  const auto made = make_map(portals, building);
+  if (!made) return Failure(made.error());
+  const TautMap& map = **made;
   building.tell(kMapShare);
-  TautLabelling labelling(map->graph());
-  if (!label_corners(map->graph(), labelling, building)) return cancelled();
+  TautLabelling labelling(map.graph());
+  if (!label_corners(map.graph(), labelling, building)) return cancelled();
   if (has_too_long_paths(labelling)) {
     return unsupported("its paths are too long for a Euclidean label index");
   }
   building.tell(kLabelsShare);
   IndexWriter writer(kEuclideanLabels, TautLabelSections::kVersion, passable);
-  TautLabelArrays(*map, labelling).write(writer);
+  TautLabelArrays(map, labelling).write(writer);
   building.tell(1);
   return writer.finish();
 }
@@ -132,7 +145,7 @@ void EuclideanEngine::for_each_hub(Cell cell, Visit&& visit) {
       visit(label.hub, length + label.length, entry);
     }
     ++metrics_.expanded;
-    metrics_.generated += seen.count;
+    metrics_.generated += seen.count + std::uint64_t{1};
   }
 }
 

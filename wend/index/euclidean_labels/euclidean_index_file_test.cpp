@@ -178,13 +178,19 @@ TEST(EuclideanIndexFile, TellsHowFarItIsAndStopsWhenToldTo) {
   EXPECT_EQ(shares.front(), 0);
   EXPECT_EQ(shares.back(), 1);
   EXPECT_GT(shares.size(), 5U);
-  for (const double when : {0.0, 0.3, 0.5}) {
+  for (const double when : {0.0, 0.1, 0.3, 0.5}) {
     std::atomic<bool> cancel = false;
-    const IndexBuilding building{.progress = [&](double share) { cancel = share >= when; },
+    double last = 0;
+    const IndexBuilding building{.progress =
+                                     [&](double share) {
+                                       last = share;
+                                       cancel = share >= when;
+                                     },
                                  .cancel = &cancel};
     const auto index = build_euclidean_index(free, building);
     ASSERT_FALSE(index);
     EXPECT_EQ(index.error().status, Status::cancelled);
+    EXPECT_LT(last, when + 0.1) << "went on for long";
   }
 }
 

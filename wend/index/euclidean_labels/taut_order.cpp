@@ -90,7 +90,9 @@ std::vector<std::uint32_t> taut_order(const TautGraph& graph, const IndexBuildin
   const auto corners = static_cast<std::uint32_t>(graph.portals().corners().size());
   const bool grows_new = graph.edges() < kFewEdges * corners;
   SampledTautTrees trees(graph);
-  for (std::size_t i = 0; i < kFirstTrees; ++i) trees.grow([](std::uint32_t) {});
+  for (std::size_t i = 0; i < kFirstTrees && !building.cancelled(); ++i) {
+    trees.grow([](std::uint32_t) {});
+  }
   std::vector<std::uint64_t> at_first;
   std::vector<Candidate> queue;
   for (std::uint32_t corner = 0; corner < corners; ++corner) {

@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "conformance/random_map.hpp"
@@ -239,13 +242,72 @@ TEST(ShortestAnyAngle, FindsTheSamePathOnceItKnowsTheMap) {
     const auto prepared = PreparedSight::of(space);
     const auto portals = prepared->portals(space, Adjacency::edges);
     prepared->count(portals, portals->corners().size());
-    ASSERT_NE(prepared->map(portals), nullptr);
+    ASSERT_NE(prepared->map(portals, [](double) { return true; }), nullptr);
     const auto second = (*planner)->plan(Query::between(start, goal));
     ASSERT_TRUE(second);
     EXPECT_EQ(first->path, second->path);
     turns += first->path.size() > 2 ? 1 : 0;
   }
   EXPECT_GT(turns, maps / 15);
+}
+
+/// A planner for which the map is worth preparing.
+struct Ripe {
+  explicit Ripe(const FreeSpace& space)
+      : prepared(PreparedSight::of(space)),
+        portals(prepared->portals(space, Adjacency::edges)),
+        planner(std::move(make_planner(space, ShortestAnyAngleOptions{}).value())) {
+    prepared->count(portals, portals->corners().size());
+  }
+
+  bool is_prepared() const {
+    return prepared->map(portals, [](double) { return false; }) != nullptr;
+  }
+
+  std::shared_ptr<PreparedSight> prepared;
+  std::shared_ptr<const Portals> portals;
+  std::unique_ptr<Planner> planner;
+};
+
+FreeSpace scattered_space() {
+  Random random(11);
+  Grid<CellState> states(60, 60, CellState::free);
+  for (const Cell cell : every_cell(states)) {
+    if (random.chance(0.2)) states[cell] = CellState::occupied;
+  }
+  states[{0, 0}] = states[{1, 0}] = states[{2, 0}] = CellState::free;
+  return *make_free_space(*make_grid_map(states));
+}
+
+TEST(ShortestAnyAngle, DoesNotPrepareTheMapOnceItIsCancelled) {
+  const Ripe ripe(scattered_space());
+  const std::atomic<bool> cancel = true;
+  Query query = Query::between({0, 0}, {2, 0});
+  query.limits.cancel = &cancel;
+  Plan plan;
+  EXPECT_EQ(ripe.planner->plan(query, plan), Status::cancelled);
+  EXPECT_FALSE(ripe.is_prepared());
+  query.limits.cancel = nullptr;
+  EXPECT_EQ(ripe.planner->plan(query, plan), Status::found);
+  EXPECT_TRUE(ripe.is_prepared());
+}
+
+/// The clock goes on by a millisecond whenever it is read, and the time is enough for some corners.
+TEST(ShortestAnyAngle, PreparesTheMapBitByBitWhereTimeIsShort) {
+  const Ripe ripe(scattered_space());
+  double now = 0;
+  Query query = Query::between({0, 0}, {2, 0});
+  query.limits.clock = [&] { return now += 0.001; };
+  query.limits.seconds = 0.2;
+  Plan plan;
+  int queries = 0;
+  for (; queries < 1000 && !ripe.is_prepared(); ++queries) {
+    now = 0;
+    ASSERT_EQ(ripe.planner->plan(query, plan), Status::found);
+    EXPECT_LT(now, 0.2);
+  }
+  EXPECT_GT(queries, static_cast<int>(ripe.portals->corners().size()) / 200);
+  EXPECT_LT(queries, static_cast<int>(ripe.portals->corners().size()) / 50);
 }
 
 TEST(ShortestAnyAngle, RefusesTerrainAndClearanceCosts) {

@@ -1,5 +1,7 @@
 #include "wend/planner/any_angle/prepared_sight.hpp"
 
+#include <utility>
+
 #include "wend/robot/fits_along.hpp"
 
 namespace wend {
@@ -26,14 +28,29 @@ PreparedSight::Ground* PreparedSight::ground_of(const std::shared_ptr<const Port
   return portals == open_.portals ? &open_ : nullptr;
 }
 
-std::shared_ptr<const TautMap> PreparedSight::map(const std::shared_ptr<const Portals>& portals) {
+std::shared_ptr<const TautMap> PreparedSight::map(const std::shared_ptr<const Portals>& portals,
+                                                  const GoesOn& goes_on) {
+  std::unique_ptr<TautMapMaking> making;
+  {
+    const MutexLock lock(mutex_);
+    Ground* const ground = ground_of(portals);
+    if (ground == nullptr) return nullptr;
+    if (ground->map != nullptr || ground->is_too_large) return ground->map;
+    if (ground->is_in_the_making || ground->looks < portals->corners().size()) return nullptr;
+    ground->is_in_the_making = true;
+    making = std::move(ground->making);
+  }
+  if (making == nullptr) {
+    making = std::make_unique<TautMapMaking>(portals, TautMap::usual_most_bytes(*portals));
+  }
+  const auto state = making->go_on(goes_on);
   const MutexLock lock(mutex_);
   Ground* const ground = ground_of(portals);
   if (ground == nullptr) return nullptr;
-  if (ground->map != nullptr || ground->is_too_large) return ground->map;
-  if (ground->looks < portals->corners().size()) return nullptr;
-  ground->map = TautMap::make(portals, TautMap::usual_most_bytes(*portals));
-  ground->is_too_large = ground->map == nullptr;
+  ground->is_in_the_making = false;
+  if (state == TautMapMaking::State::finished) ground->map = making->take();
+  if (state == TautMapMaking::State::unfinished) ground->making = std::move(making);
+  ground->is_too_large = state == TautMapMaking::State::too_large;
   return ground->map;
 }
 

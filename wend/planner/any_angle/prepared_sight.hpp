@@ -5,6 +5,7 @@
 // looked around as often as making it does.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "wend/base/mutex.hpp"
@@ -23,9 +24,14 @@ class PreparedSight final : public SpaceAttachment {
   /// fits along the diagonal.
   std::shared_ptr<const Portals> portals(const FreeSpace& space, Adjacency adjacency);
 
-  /// The map of these portals, if it is there or now worth making. Null also where the map would be too large, or the
-  /// portals have been made again.
-  std::shared_ptr<const TautMap> map(const std::shared_ptr<const Portals>& portals);
+  /// Whether to go on with making a map, of which this share is done.
+  using GoesOn = std::function<bool(double share)>;
+
+  /// The map of these portals, if it is there, or worth making and finished now. Null also while another thread makes
+  /// it, where it would be too large, or where the portals have been made again. What goes_on() stops is kept: the next
+  /// call goes on with it.
+  std::shared_ptr<const TautMap> map(const std::shared_ptr<const Portals>& portals,
+                                     const GoesOn& goes_on);
   /// A search on these portals has looked around so many times.
   void count(const std::shared_ptr<const Portals>& portals, std::uint64_t looks);
 
@@ -35,7 +41,9 @@ class PreparedSight final : public SpaceAttachment {
   struct Ground {
     std::shared_ptr<const Portals> portals;
     std::shared_ptr<const TautMap> map;
+    std::unique_ptr<TautMapMaking> making;  // that was stopped
     std::uint64_t looks = 0;
+    bool is_in_the_making = false;
     bool is_too_large = false;
   };
 

@@ -73,11 +73,22 @@ void TautEngine::watched(Action&& action) {
 void TautEngine::begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
                        SearchObserver* observer) {
   observer_ = observer;
-  if (!search_.knows_all()) {
-    prepared_->count(portals_, search_.take_looks());
-    if (auto map = prepared_->map(portals_)) search_.learn(std::move(map));
-  }
-  watched([&](auto&& watcher) { search_.begin(start, goals, limits, watcher); });
+  limits_ = limits;
+  if (!search_.knows_all()) prepare();
+  watched([&](auto&& watcher) { search_.begin(start, goals, limits_, watcher); });
+}
+
+/// Takes at most half of the time that there is.
+void TautEngine::prepare() {
+  constexpr double kShare = 0.5;
+  prepared_->count(portals_, search_.take_looks());
+  const double begun = limits_.now();
+  auto map = prepared_->map(portals_, [&](double) {
+    if (limits_.cancel != nullptr && limits_.cancel->load(std::memory_order_relaxed)) return false;
+    return !limits_.timed() || limits_.now() - begun < kShare * limits_.seconds;
+  });
+  if (map != nullptr) search_.learn(std::move(map));
+  if (limits_.timed()) limits_.seconds -= limits_.now() - begun;
 }
 
 SearchOutcome TautEngine::step() {

@@ -38,6 +38,7 @@ class TautEngine final : public GridEngine {
   SearchEvent event(TautSearch::Id id) const;
   template <class Action>
   void watched(Action&& action);
+  void prepare();
   void pull_trail(Path& path) const;
 
   FreeSpace space_;
@@ -45,6 +46,7 @@ class TautEngine final : public GridEngine {
   std::shared_ptr<PreparedSight> prepared_;
   std::shared_ptr<const Portals> portals_;
   TautSearch search_;
+  Limits limits_;  // what is left of those of the query
   SearchObserver* observer_ = nullptr;
 };
 

@@ -21,13 +21,14 @@ bool disc_fits_along_path(const FreeSpace& space, const Path& path, Adjacency ad
   return true;
 }
 
-void write_pulled_trail(const FreeSpace& space, Adjacency adjacency, const Portals& portals,
+bool write_pulled_trail(const FreeSpace& space, Adjacency adjacency, const Portals& portals,
                         Cell start, std::span<const std::uint32_t> corners, Cell goal, Path& path) {
   std::vector<Cell> cells;
-  write_trail(portals, start, corners, goal, cells);
+  if (!write_trail(portals, start, corners, goal, cells)) return false;
   const Path pulled = string_pulled(Path(std::move(cells)), space, adjacency);
   path.clear();
   for (const Point point : pulled.waypoints()) path.go_to(point);
+  return true;
 }
 
 }  // namespace wend

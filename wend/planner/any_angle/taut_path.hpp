@@ -19,8 +19,8 @@ bool goes_straight_on(Point a, Point b, Point c);
 bool disc_fits_along_path(const FreeSpace& space, const Path& path, Adjacency adjacency);
 
 /// Replaces `path` by one through the centres of the cells that the taut one by these corners passes, pulled taut for
-/// the robot.
-void write_pulled_trail(const FreeSpace& space, Adjacency adjacency, const Portals& portals,
+/// the robot. False if the corners are not those of a free path.
+bool write_pulled_trail(const FreeSpace& space, Adjacency adjacency, const Portals& portals,
                         Cell start, std::span<const std::uint32_t> corners, Cell goal, Path& path);
 
 }  // namespace wend

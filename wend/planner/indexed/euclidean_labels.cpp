@@ -6,11 +6,9 @@
 #include <utility>
 
 #include "wend/index/euclidean_labels/euclidean_index.hpp"
-#include "wend/planner/any_angle/any_angle_options.hpp"
 #include "wend/planner/any_angle/taut_path.hpp"
 #include "wend/planner/indexed/index_planner.hpp"
-#include "wend/planner/planner_options.hpp"
-#include "wend/planner/planners.hpp"
+#include "wend/planner/plan.hpp"
 
 namespace wend {
 namespace {
@@ -40,8 +38,9 @@ class EuclideanAnswers final : public IndexAnswers {
       last = here;
     }
     path.go_to(centre_of(goal_));
-    if (!space_.is_point() && !disc_fits_along_path(space_, path, kAdjacency)) {
-      write_pulled_trail(space_, kAdjacency, engine_->portals(), start_, corners, goal_, path);
+    if (!space_.is_point() && !disc_fits_along_path(space_, path, kAdjacency) &&
+        !write_pulled_trail(space_, kAdjacency, engine_->portals(), start_, corners, goal_, path)) {
+      return std::nullopt;
     }
     return path.length();
   }
@@ -94,16 +93,13 @@ PlannerInfo euclidean_labels_planner() {
                  "that sees it; planner: 24 bytes per corner, 16 per run of free cells in a row, "
                  "24 per opening between two of them",
        .when = "For many queries at any angle on one map. Building the index takes less than a "
-               "second on most maps. For maps with more than 65536 corners there is no index; "
-               "there it answers as any_angle does. Edits need a new index: see any_angle.",
+               "second on most maps. A map with more than 65536 corners, or whose corners see too "
+               "much, gets no index, and the error names the limit: any_angle plans there. An edit "
+               "needs a new index: any_angle does not.",
        .guarantee = Guarantee::complete,
        .preprocessing = Preprocessing::quick,
        .capabilities = {.any_angle = true}},
-      {.build = build_euclidean_index,
-       .open = open_answers,
-       .otherwise = [](const FreeSpace& space) {
-         return make_planner(space, ShortestAnyAngleOptions{});
-       }});
+      {.build = build_euclidean_index, .open = open_answers});
 }
 
 }  // namespace wend

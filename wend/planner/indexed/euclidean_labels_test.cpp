@@ -1,13 +1,16 @@
 // euclidean_labels beside any_angle, which the brute force of any_angle_test.cpp checks.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "conformance/random_map.hpp"
+#include "tests/fuzz/forged_index.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/path/path_collision.hpp"
@@ -17,9 +20,10 @@
 
 namespace wend {
 
-PlannerInfo euclidean_labels_planner();  // not in the registry yet
-
 namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 constexpr double kRelative = 1e-9;
 
@@ -45,7 +49,7 @@ FreeSpaceOptions random_robot(Random& random) {
 }
 
 std::unique_ptr<Planner> labels_on(const FreeSpace& space) {
-  auto planner = euclidean_labels_planner().make(space, {});
+  auto planner = planners().find("euclidean_labels")->make(space, {});
   if (!planner) ADD_FAILURE() << planner.error().message;
   return planner ? *std::move(planner) : nullptr;
 }
@@ -126,52 +130,64 @@ GridMap posts() {
   return *make_grid_map(states);
 }
 
-TEST(EuclideanLabels, LeavesMapsOfTooManyCornersToAnyAngle) {
-  const FreeSpace space = *make_free_space(posts());
-  const PlannerInfo info = euclidean_labels_planner();
-  const auto index = info.index_support->build(space, {});
-  ASSERT_FALSE(index);
-  EXPECT_EQ(index.error().status, Status::unsupported_map);
-  const auto labels = labels_on(space);
-  ASSERT_NE(labels, nullptr);
-  const auto another = labels->clone();
-  for (Planner* const planner : {labels.get(), another.get()}) {
-    EXPECT_TRUE(expect_answer_of_any_angle(*planner, space, Query::between({0, 0}, {19, 9})));
-    EXPECT_FALSE(expect_answer_of_any_angle(*planner, space, Query::between({0, 0}, {1, 1})));
-    EXPECT_NE(planner->reason(Query::between({0, 0}, {1, 1}), Status::goal_blocked), "");
-  }
+TEST(EuclideanLabels, RefusesMapsOfTooManyCornersAndNamesAnotherPlanner) {
+  const auto planner = planners().find("euclidean_labels")->make(*make_free_space(posts()), {});
+  ASSERT_FALSE(planner);
+  EXPECT_EQ(planner.error().status, Status::unsupported_map);
+  EXPECT_THAT(planner.error().message, AllOf(HasSubstr("78400 corners"), HasSubstr("at most 65536"),
+                                             HasSubstr("any_angle")));
 }
 
-TEST(EuclideanLabels, TellsItsAnswerOnceWhoeverFindsIt) {
-  const FreeSpace space = *make_free_space(posts());
-  const auto labels = labels_on(space);
-  ASSERT_NE(labels, nullptr);
-  int told = 0;
-  Query query = Query::between({0, 0}, {19, 9});
-  query.on_solution = [&](const Plan&) { ++told; };
-  ASSERT_TRUE(labels->plan(query));
-  EXPECT_EQ(told, 1);
-}
-
-TEST(EuclideanLabels, GoesOnWithAnyAngleAndBackWhenTheMapChanges) {
+TEST(EuclideanLabels, IsOfUseAgainOnceTheMapAllowsIt) {
   Random random(5);
   const FreeSpace small = *make_free_space(*make_grid_map(scattered(random, 30)));
   const FreeSpace large = *make_free_space(posts());
   const auto labels = labels_on(small);
   ASSERT_NE(labels, nullptr);
-  for (const FreeSpace* const space : {&large, &small, &large}) {
-    labels->release();
-    ASSERT_TRUE(labels->update(*space));
-    expect_answer_of_any_angle(*labels, *space, Query::between({0, 0}, {3, 2}));
-    expect_answer_of_any_angle(*labels, *space, Query::between({2, 0}, {0, 3}));
+  EXPECT_FALSE(labels->update(large));
+  Plan plan;
+  const Query query = Query::between({0, 0}, {3, 2});
+  EXPECT_EQ(labels->plan(query, plan), Status::unsupported_map);
+  EXPECT_THAT(labels->reason(query, Status::unsupported_map), HasSubstr("any_angle"));
+  ASSERT_TRUE(labels->update(small));
+  expect_answer_of_any_angle(*labels, small, query);
+}
+
+TEST(EuclideanLabels, OfAForgedIndexLeadADiscAlongFreePathsOnly) {
+  const FreeSpace space = test::space_for_forgery({.footprint = Footprint::disc(0.49)});
+  const IndexSupport& support = *planners().find("euclidean_labels")->index_support;
+  const IndexBytes index = support.build(space, {}).value();
+  int opened = 0;
+  int found = 0;
+  const auto forgeries = test::share_of(600U);
+  for (std::uint64_t seed = 1; seed <= forgeries && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::string changes;
+    for (int i = 0; i < 6; ++i) changes.push_back(static_cast<char>(random.below(256)));
+    const auto bytes = test::forged(index.bytes(), changes);
+    const auto planner = support.make_planner(space, {}, IndexBytes::copy_of(bytes));
+    if (!planner) continue;
+    ++opened;
+    for (int i = 0; i < 20; ++i) {
+      const Cell start = test::random_cell(random, space.width(), space.height());
+      const Cell goal = test::random_cell(random, space.width(), space.height());
+      Plan plan;
+      if ((*planner)->plan(Query::between(start, goal), plan) != Status::found) continue;
+      ++found;
+      EXPECT_FALSE(first_collision(plan.path, space, Adjacency::edges));
+    }
   }
+  EXPECT_GT(opened, 0);
+  EXPECT_LT(opened, static_cast<int>(forgeries)) << "nothing is checked";
+  EXPECT_GT(found, opened);
 }
 
 TEST(EuclideanLabels, RefusesTerrain) {
   Grid<double> terrain(2, 1, 1);
   terrain[{1, 0}] = 3;
   const GridMap uneven = *make_grid_map(Grid<CellState>(2, 1, CellState::free), {}, terrain);
-  const auto planner = euclidean_labels_planner().make(*make_free_space(uneven), {});
+  const auto planner = planners().find("euclidean_labels")->make(*make_free_space(uneven), {});
   ASSERT_FALSE(planner);
   EXPECT_EQ(planner.error().status, Status::unsupported_map);
 }

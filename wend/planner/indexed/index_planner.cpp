@@ -23,14 +23,9 @@ class IndexPlanner final : public Planner {
   using IndexBuilder = std::function<Expected<IndexBytes, Error>(const FreeSpace&)>;
   /// Opens an index.
   using Opener = std::function<AnswersResult(const FreeSpace&, IndexBytes)>;
-  /// Makes a planner for a FreeSpace that the index is not for; empty if there is none.
-  using Otherwise = std::function<PlannerResult(const FreeSpace&)>;
 
-  IndexPlanner(FreeSpace space, IndexBuilder build, Opener open, Otherwise otherwise)
-      : Planner(std::move(space)),
-        build_(std::move(build)),
-        open_(std::move(open)),
-        otherwise_(std::move(otherwise)) {}
+  IndexPlanner(FreeSpace space, IndexBuilder build, Opener open)
+      : Planner(std::move(space)), build_(std::move(build)), open_(std::move(open)) {}
 
   /// Why the index cannot be used, if it cannot.
   std::optional<Error> use(IndexBytes index) {
@@ -41,27 +36,13 @@ class IndexPlanner final : public Planner {
     return std::nullopt;
   }
 
-  /// Builds an index, or makes the other planner if the index is not for this map. Why there is neither, if so.
-  std::optional<Error> build() {
-    auto built = build_(free_space());
-    if (built) return use(*std::move(built));
-    why_none_ = built.error();
-    if (!otherwise_ || why_none_.status != Status::unsupported_map) return why_none_;
-    auto other = otherwise_(free_space());
-    if (!other) return why_none_ = other.error();
-    other_ = *std::move(other);
-    return std::nullopt;
-  }
-
  private:
   std::optional<Status> do_check(const Query& query) override {
-    if (other_ != nullptr) return std::nullopt;  // it checks
     if (answers_ == nullptr) return why_none_.status;
     return cells_.assign(free_space(), Adjacency::edges, query);
   }
 
   Status do_plan(const Query& query, Plan& out) override {
-    if (other_ != nullptr) return ask_other(query, out);
     const Limits& limits = query.limits;
     if (const auto status = stopped(limits)) return *status;
     const double begin = limits.now();
@@ -80,14 +61,6 @@ class IndexPlanner final : public Planner {
     }
     out.bound = answers_->bound();
     return Status::found;
-  }
-
-  Status ask_other(const Query& query, Plan& out) {
-    asked_.start = query.start;
-    asked_.goals = query.goals;
-    asked_.limits = query.limits;
-    asked_.observer = query.observer;
-    return other_->plan(asked_, out);  // Query::on_solution is told here
   }
 
   double find(Cell start, Cell goal, SearchMetrics& metrics) {
@@ -122,16 +95,15 @@ class IndexPlanner final : public Planner {
   }
 
   std::string do_reason(const Query& query, Status status) const override {
-    if (other_ != nullptr) return other_->reason(query, status);
     if (answers_ == nullptr) return why_none_.message;
     return reason_in_cells(free_space(), query, status);
   }
 
   std::unique_ptr<Planner> do_clone() const override {
-    auto planner = std::make_unique<IndexPlanner>(free_space(), build_, open_, otherwise_);
-    planner->why_none_ = why_none_;
-    if (other_ != nullptr) planner->other_ = other_->clone();
-    if (answers_ != nullptr) {
+    auto planner = std::make_unique<IndexPlanner>(free_space(), build_, open_);
+    if (answers_ == nullptr) {
+      planner->why_none_ = why_none_;
+    } else {
       planner->use(*index_);  // NOLINT(bugprone-unchecked-optional-access): answers have one
     }
     return planner;
@@ -140,24 +112,19 @@ class IndexPlanner final : public Planner {
   /// An edit does not build the index again: that may take minutes. The index is used as long as it matches.
   std::optional<Error> do_update(const SpaceChange& change) override {
     answers_.reset();  // frees its memory first
-    other_.reset();
     if (!change.everything && index_) return use(*index_);
     index_.reset();
-    return build();
+    auto built = build_(free_space());
+    if (!built) return why_none_ = built.error();
+    return use(*std::move(built));
   }
 
-  void do_release() override {
-    answers_.reset();
-    other_.reset();
-  }
+  void do_release() override { answers_.reset(); }
 
   IndexBuilder build_;
   Opener open_;
-  Otherwise otherwise_;
   std::optional<IndexBytes> index_;  // the last one that could be used; clones share it
   std::unique_ptr<IndexAnswers> answers_;
-  std::unique_ptr<Planner> other_;     // in place of answers
-  Query asked_;                        // of the other planner
   Error why_none_{Status::found, {}};  // if there are no answers
   GridQuery cells_;
   std::vector<Cell> goals_;  // where a path enters those of cells_
@@ -181,22 +148,6 @@ class MethodSupport final : public IndexSupport {
     if (auto refused = refused_options(options)) {
       return Unexpected<Error>(*std::move(refused));
     }
-    auto planner = planner_on(space);
-    if (auto fault = planner->use(std::move(index))) return Unexpected<Error>(*std::move(fault));
-    return planner;
-  }
-
-  /// Makes a planner, with its index.
-  PlannerResult make_with_index(const FreeSpace& space, const OptionValues& options) const {
-    if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
-    if (auto refused = refused_options(options)) return Unexpected<Error>(*std::move(refused));
-    auto planner = planner_on(space);
-    if (auto fault = planner->build()) return Unexpected<Error>(*std::move(fault));
-    return planner;
-  }
-
- private:
-  std::unique_ptr<IndexPlanner> planner_on(const FreeSpace& space) const {
     // The planner may outlive this object.
     const auto build = [method = method_, name = planner_](const FreeSpace& other) {
       return MethodSupport(method, name).build(other, {});
@@ -205,9 +156,12 @@ class MethodSupport final : public IndexSupport {
                                                           IndexBytes bytes) {
       return MethodSupport(method, name).open(other, std::move(bytes));
     };
-    return std::make_unique<IndexPlanner>(space, build, open, method_.otherwise);
+    auto planner = std::make_unique<IndexPlanner>(space, build, open);
+    if (auto fault = planner->use(std::move(index))) return Unexpected<Error>(*std::move(fault));
+    return planner;
   }
 
+ private:
   AnswersResult open(const FreeSpace& space, IndexBytes index) const {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
     auto opened = method_.open(std::move(index), space);
@@ -228,7 +182,9 @@ PlannerInfo with_index(PlannerInfo info, const IndexMethod& method) {
   const auto support = std::make_shared<const MethodSupport>(method, info.name);
   info.index_support = support;
   info.make = [support](const FreeSpace& space, const OptionValues& options) -> PlannerResult {
-    return support->make_with_index(space, options);
+    auto index = support->build(space, {});
+    if (!index) return Unexpected<Error>(index.error());
+    return support->make_planner(space, options, *std::move(index));
   };
   return info;
 }

@@ -20,8 +20,6 @@ struct IndexMethod {
   std::function<Expected<IndexBytes, Error>(const BitGrid&, const IndexBuilding&)> build;
   /// Checks the index, which is cheap compared with reading it once. The error is index_mismatch.
   std::function<Expected<std::unique_ptr<IndexAnswers>, Error>(IndexBytes, const FreeSpace&)> open;
-  /// Makes a planner that answers on maps for which build() says unsupported_map, if there is one.
-  std::function<PlannerResult(const FreeSpace&)> otherwise = {};
 };
 
 /// For IndexMethod::open, from a function that makes an IndexEngine of the passable cells.
