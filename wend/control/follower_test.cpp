@@ -89,10 +89,10 @@ TEST(Follower, KeepsToLimitsThatChangeOnTheWay) {
     robot.step();
     ASSERT_LE(robot.state.velocity.linear, 0.2 + 1e-9);
   }
-  robot.follower.set_limits({.speed = 0.8});
-  EXPECT_EQ(robot.follower.limits().speed, 0.8);
+  robot.follower.set_limits({.speed = 0.4});
+  EXPECT_EQ(robot.follower.limits().speed, 0.4);
   while (robot.state.pose.x < 15) robot.step();
-  EXPECT_NEAR(robot.state.velocity.linear, 0.8, 1e-9);
+  EXPECT_NEAR(robot.state.velocity.linear, 0.4, 1e-9);
   EXPECT_EQ(robot.run(), FollowerState::reached);
 }
 

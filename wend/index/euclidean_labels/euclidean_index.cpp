@@ -136,7 +136,7 @@ void EuclideanEngine::for_each_hub(Cell cell, Visit&& visit) {
     const Place place = places_[seen.corner];
     const auto x = static_cast<double>(place.x - 2 * cell.x - 1);
     const auto y = static_cast<double>(place.y - 2 * cell.y - 1);
-    constexpr auto kHalfCell = static_cast<double>(kTautLengthUnit / 2);
+    constexpr auto kHalfCell = static_cast<double>(kTautLengthUnit) / 2;
     const auto length =
         static_cast<TautLength>(static_cast<std::int64_t>(std::sqrt(x * x + y * y) * kHalfCell));
     visit(seen.corner, length, kItself);
