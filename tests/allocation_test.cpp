@@ -124,10 +124,13 @@ class Allocation : public ::testing::TestWithParam<std::string> {
   PlannerSpec spec_ = parse_planner_specs(GetParam()).value().front();
 };
 
-/// Every planner, and those that have memory of their own for an option.
+/// Every planner, and those that have memory of their own, or another search, for an option.
 std::vector<std::string> specs() {
   std::vector<std::string> specs = planners().names();
-  specs.emplace_back("car:heuristic=obstacles");
+  for (const char* const spec :
+       {"car:heuristic=obstacles", "car:initial_weight=3", "lattice:initial_weight=3"}) {
+    specs.emplace_back(spec);
+  }
   return specs;
 }
 

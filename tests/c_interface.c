@@ -107,6 +107,24 @@ static void check_plan(wend_session* session, const wend_request* request) {
   wend_plan_free(plan);
 }
 
+static void take_solution(const wend_plan* plan, void* context) {
+  double* last = (double*)context;
+  CHECK(wend_plan_cost(plan) <= *last && wend_plan_bound(plan) >= 1);
+  *last = wend_plan_cost(plan);
+}
+
+static void check_solutions(wend_session* session, const wend_request* request) {
+  wend_plan* plan = NULL;
+  wend_request anytime = *request;
+  double last = 1e9;
+  anytime.planner = "ara_star:initial_weight=3";
+  anytime.on_solution = take_solution;
+  anytime.context = &last;
+  CHECK(wend_session_plan(session, &anytime, &plan, NULL) == WEND_OK);
+  CHECK(wend_plan_cost(plan) == 6 && last == 6 && wend_plan_bound(plan) == 1);
+  wend_plan_free(plan);
+}
+
 static void check_field(wend_session* session, const wend_request* request) {
   wend_field* field = NULL;
   wend_plan* plan = NULL;
@@ -147,6 +165,7 @@ static void check_session(void) {
   request.goal_count = 1;
   check_poses(session);
   check_plan(session, &request);
+  check_solutions(session, &request);
   check_field(session, &request);
   wend_session_free(session);
 }

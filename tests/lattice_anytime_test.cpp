@@ -27,7 +27,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr double kRounding = 1e-9;
+constexpr double kRoundedTo = 1e-9;
 
 struct ToldDrives {
   Status status = Status::found;
@@ -45,8 +45,8 @@ ToldDrives drives_of(Planner& planner, Query query) {
 /// Costs and bounds never rise, and the last drive is the answer.
 void expect_in_order(const ToldDrives& drives) {
   for (std::size_t i = 1; i < drives.told.size(); ++i) {
-    EXPECT_LE(drives.told[i].cost, drives.told[i - 1].cost * (1 + kRounding));
-    EXPECT_LE(drives.told[i].bound, drives.told[i - 1].bound * (1 + kRounding));
+    EXPECT_LE(drives.told[i].cost, drives.told[i - 1].cost * (1 + kRoundedTo));
+    EXPECT_LE(drives.told[i].bound, drives.told[i - 1].bound * (1 + kRoundedTo));
     EXPECT_GE(drives.told[i].metrics.expanded, drives.told[i - 1].metrics.expanded);
   }
   if (drives.status != Status::found) {
@@ -61,8 +61,8 @@ void expect_in_order(const ToldDrives& drives) {
 
 void expect_true_bound(const Plan& plan, double least) {
   EXPECT_GE(plan.bound, 1);
-  EXPECT_GE(plan.cost, least * (1 - kRounding));
-  EXPECT_LE(plan.cost, plan.bound * least * (1 + kRounding)) << "bound " << plan.bound;
+  EXPECT_GE(plan.cost, least * (1 - kRoundedTo));
+  EXPECT_LE(plan.cost, plan.bound * least * (1 + kRoundedTo)) << "bound " << plan.bound;
 }
 
 /// At a limit on expansions: what was told until then, and an answer whose bound is true.
@@ -107,12 +107,12 @@ TEST(AnytimeCar, TellsDrivesWithTrueBoundsOnRandomYards) {
       EXPECT_EQ(drives.status == Status::found, truth.failures.empty());
       if (drives.status != Status::found || !truth.failures.empty()) continue;
       ++found;
-      bettered += drives.told.back().cost < drives.told.front().cost - kRounding ? 1 : 0;
+      bettered += drives.told.back().cost < drives.told.front().cost - kRoundedTo ? 1 : 0;
       for (const Plan& plan : drives.told) {
         EXPECT_EQ(fault_of(plan, reference), "");
         expect_true_bound(plan, truth.fuel);
       }
-      EXPECT_LE(drives.plan.bound, last * (1 + kRounding));
+      EXPECT_LE(drives.plan.bound, last * (1 + kRoundedTo));
       const std::uint64_t limit = random.below(drives.plan.metrics.expanded + 1);
       const ToldDrives limited = expect_true_at_limit(**planner, query, drives, limit);
       if (limited.status == Status::found) expect_true_bound(limited.plan, truth.fuel);
@@ -176,8 +176,8 @@ TEST(AnytimeLattice, TellsDrivesWithTrueBoundsOnRandomMaps) {
     const double most = least_motion_cost(trial, {.footprint = Footprint::disc(1e-6)});
     const auto within = [&](const Plan& plan) {
       EXPECT_GE(plan.bound, 1);
-      EXPECT_GE(plan.cost, least * (1 - kRounding));
-      EXPECT_LE(plan.cost, plan.bound * most * (1 + kRounding)) << "bound " << plan.bound;
+      EXPECT_GE(plan.cost, least * (1 - kRoundedTo));
+      EXPECT_LE(plan.cost, plan.bound * most * (1 + kRoundedTo)) << "bound " << plan.bound;
     };
     for (const auto heuristic : {LatticeHeuristic::distance, LatticeHeuristic::obstacles}) {
       const auto planner = make_planner(trial.space, LatticeOptions{.turning_radius = trial.radius,
@@ -189,7 +189,7 @@ TEST(AnytimeLattice, TellsDrivesWithTrueBoundsOnRandomMaps) {
       expect_in_order(drives);
       if (drives.status != Status::found) continue;
       ++found;
-      bettered += drives.told.back().cost < drives.told.front().cost - kRounding ? 1 : 0;
+      bettered += drives.told.back().cost < drives.told.front().cost - kRoundedTo ? 1 : 0;
       for (const Plan& plan : drives.told) within(plan);
       EXPECT_TRUE(drives.plan.optimal());
       Random random(seed);
@@ -244,7 +244,7 @@ TEST_P(AnytimeDrives, AreBetteredUntilTheBest) {
   EXPECT_GT(drives.told.front().bound, 1);
   EXPECT_LT(drives.told.front().metrics.expanded, drives.plan.metrics.expanded);
   EXPECT_TRUE(drives.plan.optimal());
-  EXPECT_NEAR(drives.plan.cost, optimum->plan(query())->cost, kRounding);
+  EXPECT_NEAR(drives.plan.cost, optimum->plan(query())->cost, kRoundedTo);
 }
 
 TEST_P(AnytimeDrives, AreTheOneOfTheWeightWithoutAHigherInitialWeight) {
@@ -286,7 +286,7 @@ TEST_P(AnytimeDrives, EndWithTheBestAtATimeLimit) {
   Plan plan;
   ASSERT_EQ(planner->plan(timed, plan), Status::found);
   EXPECT_GE(told, 1U);
-  EXPECT_LE(plan.cost, plan.bound * make({})->plan(query())->cost * (1 + kRounding));
+  EXPECT_LE(plan.cost, plan.bound * make({})->plan(query())->cost * (1 + kRoundedTo));
 }
 
 TEST_P(AnytimeDrives, AreNoneWhenCancelled) {
@@ -349,7 +349,7 @@ double work_beside_astar(const FreeSpace& space, const OptionValues& options,
     Plan expected;
     if (astar->plan(query, expected) != Status::found) continue;
     EXPECT_EQ(planner->plan(query, plan), Status::found);
-    EXPECT_NEAR(plan.cost, expected.cost, kRounding * (1 + expected.cost));
+    EXPECT_NEAR(plan.cost, expected.cost, kRoundedTo * (1 + expected.cost));
     EXPECT_TRUE(plan.optimal());
     logarithms += std::log(static_cast<double>(plan.metrics.expanded) /
                            static_cast<double>(expected.metrics.expanded));

@@ -2,7 +2,8 @@
 
 import { generalText, numberOf, shortestText } from './number_text';
 import type {
-  CellInfo, DriveReport, Failure, Frame, Knowledge, Layer, MapInfo, Outcome, Places, Pose, Range, Registry, Task, Widest, Window,
+  CellInfo, DriveReport, Failure, Frame, Knowledge, Layer, MapInfo, Outcome, Places, Pose, Range, Registry, Solution, Task, Widest,
+  Window,
 } from './types';
 
 interface Exports {
@@ -38,6 +39,11 @@ interface Exports {
   steps(): number;
   expanded_at(step: number): number;
 }
+
+/** A path as the engine tells it. */
+type PlanText = Omit<Outcome, 'path' | 'solutions'> & { solutions?: (Omit<Solution, 'path'> & { points: number })[] };
+/** Numbers of a point: x, y, heading. */
+const pointSize = 3;
 
 /** Numbers as text: see lab/wasm/number_text.cpp. */
 function numberCalls(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
@@ -138,8 +144,15 @@ export class EngineModule {
                    task.goal.x, task.goal.y, task.goal.heading, Number(task.headings),
                    Number(task.record), Number(task.nearest ?? false), task.expansions ?? 0,
                    task.seconds ?? 0);
-    const outcome = this.answer<Outcome | Failure>();
-    return 'error' in outcome ? outcome : { ...outcome, path: this.points() };
+    const outcome = this.answer<PlanText | Failure>();
+    if ('error' in outcome) return outcome;
+    const points = this.points();
+    const found = outcome.solutions ?? [];
+    // The answer's points come first, then those of one solution after another.
+    let at = points.length - pointSize * found.reduce((sum, solution) => sum + solution.points, 0);
+    const path = points.slice(0, at);
+    const solutions = found.map(({ points: count, ...solution }) => ({ ...solution, path: points.slice(at, at += pointSize * count) }));
+    return { ...outcome, path, solutions };
   }
 
   /** The nearest places where the robot fits: at their headings, or for a planner on cells. */

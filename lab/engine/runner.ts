@@ -103,7 +103,9 @@ export class Runner {
     const failed = 'error' in answer;
     this.failure = failed ? answer : null;
     this.outcome = failed ? null : answer;
-    await this.show(state.layer);
+    // A new search has no layer yet.
+    if (state.layer === '') this.range = null;
+    else await this.show(state.layer);
   }
 
   async show(layer: Layer): Promise<void> {

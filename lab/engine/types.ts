@@ -115,6 +115,17 @@ export interface Task {
   seconds?: number;
 }
 
+/** A path that an anytime planner found on the way: see docs/anytime.md. */
+export interface Solution {
+  cost: number;
+  /** Its cost is at most this times the least; null: no guarantee. */
+  bound: number | null;
+  /** The expansions until then. */
+  step: number;
+  /** As Outcome.path. */
+  path: Float64Array;
+}
+
 export interface Outcome {
   status: string;
   /** Why there is no path. */
@@ -132,6 +143,14 @@ export interface Outcome {
   steps: number;
   /** x, y and heading of each point, in grid coordinates. */
   path: Float64Array;
+  /** Of a recorded search of an anytime planner; the last one is the answer. */
+  solutions: Solution[];
+}
+
+/** The path that is known at a step of a replay; null: none yet. */
+export function pathAt(outcome: Outcome, step: number): Float64Array | null {
+  if (step >= outcome.steps) return outcome.path;
+  return outcome.solutions.findLast((solution) => solution.step <= step)?.path ?? null;
 }
 
 export interface CellInfo {

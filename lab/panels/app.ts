@@ -89,7 +89,7 @@ export class App extends LitElement implements Actions {
           ${state.runs.map((run, i) => this.view(run, i))}
         </section>
         <aside aria-label="Settings">
-          <lab-side .store=${this.store} .registry=${this.registry} .searches=${this.searches} .lesson=${this.lesson} .extras=${this.extras}
+          <lab-side .store=${this.store} .clock=${this.clock} .registry=${this.registry} .searches=${this.searches} .lesson=${this.lesson} .extras=${this.extras}
             .actions=${this} .queries=${this.queries} .pointed=${this.pointed} version=${++this.drawn}></lab-side>
         </aside>
       </main>
@@ -147,6 +147,11 @@ export class App extends LitElement implements Actions {
     if (typeof opened === 'string') return this.say(`${opened}.`);
     this.queries = opened.queries;
     this.take(opened.change, true);
+  }
+
+  seek(run: number, step: number): void {
+    this.clock.playing = false;
+    this.clock.seek(this.searches.clockOf(run, step, this.store.state));
   }
 
   /** Another robot. Ends where it does not fit move to where it does. */

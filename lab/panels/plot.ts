@@ -13,6 +13,8 @@ export interface Plot {
   across: string;
   up: string;
   dots: boolean;
+  /** Lines that stay level until the next point. */
+  steps?: boolean;
   logarithmic: boolean;
 }
 
@@ -52,7 +54,7 @@ export class PlotView extends LitElement {
   }
 
   private options(width: number): uPlot.Options {
-    const { names, across, up, dots, logarithmic } = this.plot;
+    const { names, across, up, dots, logarithmic, steps } = this.plot;
     const colours = this.scheme.matches ? dark : light;
     const strokes = [colours.path, colours.goal, colours.start, colours.current];
     const axis = (label: string): uPlot.Axis => ({
@@ -65,7 +67,7 @@ export class PlotView extends LitElement {
       axes: [{ ...axis(across), size: 30 }, axis(up)],
       series: [{ label: across }, ...names.map((label, i): uPlot.Series => ({
         label, stroke: strokes[i % strokes.length]!, width: 1.5, points: { show: dots, size: 4, fill: strokes[i % strokes.length]! },
-        ...(dots ? { paths: () => null } : {}),
+        ...(dots ? { paths: () => null } : steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
       }))],
     };
   }

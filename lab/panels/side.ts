@@ -6,6 +6,7 @@ import type { Searches } from '../engine/searches';
 import type { Layer, Registry } from '../engine/types';
 import type { Lesson } from '../exercises/lesson';
 import type { ScenarioQuery } from '../formats/moving_ai';
+import type { Clock } from '../store/clock';
 import { firstRecipe } from '../store/maps';
 import type { Recipe } from '../store/state';
 import type { Store } from '../store/store';
@@ -22,6 +23,7 @@ import './map_panel';
 import './results';
 import './robot_panel';
 import './runs_panel';
+import './solutions_panel';
 import { panelStyle } from './style';
 import { cellInWords } from './words';
 
@@ -33,6 +35,8 @@ export interface Actions {
   openFiles(files: File[]): void;
   save(what: Saved): void;
   say(message: string): void;
+  /** Shows the moment at which a search has made so many expansions. */
+  seek(run: number, step: number): void;
   share(): void;
   shape(footprint: string): void;
   show(layer: Layer): void;
@@ -47,11 +51,12 @@ export class Side extends LitElement {
     a { font-size: 0.8125rem; color: var(--accent); }
   `];
   static override properties = {
-    store: { attribute: false }, registry: { attribute: false }, searches: { attribute: false }, lesson: { attribute: false }, extras: { attribute: false },
+    store: { attribute: false }, clock: { attribute: false }, registry: { attribute: false }, searches: { attribute: false }, lesson: { attribute: false }, extras: { attribute: false },
     actions: { attribute: false }, queries: { attribute: false }, pointed: { attribute: false }, version: { type: String },
   };
 
   declare store: Store;
+  declare clock: Clock;
   declare registry: Registry;
   declare searches: Searches;
   declare lesson: Lesson;
@@ -75,6 +80,7 @@ export class Side extends LitElement {
         <lab-results .runners=${this.searches.runners} .runs=${state.runs} version=${this.version}></lab-results>
         ${this.searches.busy ? html`<button @click=${() => this.searches.stop()}>Stop the search</button>` : nothing}
       </section>
+      ${state.runs.map(({ planner }, i) => this.solutions(planner, i))}
       <section><h2>Under the pointer</h2>${this.cellFacts(secret)}</section>
       ${secret ? nothing : html`<section><h2>Colours</h2>
         <lab-layers .store=${this.store} .state=${state} .range=${this.searches.runners[0]?.range ?? null}
@@ -104,6 +110,15 @@ export class Side extends LitElement {
     return html`<section><h2>Exercise</h2>
       <lab-exercise .store=${this.store} .lesson=${this.lesson} exercise=${this.store.state.exercise} version=${this.version}
         @share=${() => this.actions.share()}></lab-exercise></section>`;
+  }
+
+  /** Of an anytime planner. */
+  private solutions(planner: string, run: number) {
+    const outcome = this.searches.runners[run]?.outcome;
+    if (!outcome || outcome.solutions.length === 0) return nothing;
+    return html`<section><h2>Paths of ${planner}</h2>
+      <lab-solutions .outcome=${outcome} .planner=${planner} .clock=${this.clock} .stepOf=${() => this.searches.stepOf(run, this.store.state)}
+        @seek=${(event: CustomEvent<number>) => this.actions.seek(run, event.detail)}></lab-solutions></section>`;
   }
 
   private cellFacts(secret: boolean) {

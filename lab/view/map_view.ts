@@ -4,7 +4,7 @@ import { css, html, LitElement } from 'lit';
 import type { Engine } from '../engine/engine';
 import type { Extras } from '../engine/extras';
 import type { Runner } from '../engine/runner';
-import type { CellInfo, Window } from '../engine/types';
+import { pathAt, type CellInfo, type Window } from '../engine/types';
 import type { Clock } from '../store/clock';
 import type { State } from '../store/state';
 import type { Store } from '../store/store';
@@ -49,6 +49,10 @@ export class MapView extends LitElement implements Ground {
   private hand = new Hand(this);
   private painting = false;
   private stale = true;
+  /** Is an end or a brush dragged on this view? */
+  private dragging = false;
+  /** What the canvas of the cells shows. */
+  private painted: Window | null = null;
   private paletteOf: Colours | null = null;
   private paletteEngine: Engine | null = null;
   private cursor: Point | null = null;
@@ -115,6 +119,7 @@ export class MapView extends LitElement implements Ground {
   }
 
   drag(active: boolean): void {
+    this.dragging = active;
     this.dispatchEvent(new CustomEvent('drag', { detail: active }));
   }
 
@@ -143,7 +148,7 @@ export class MapView extends LitElement implements Ground {
 
   /** What is known of the cell under the pointer belongs to a search: another one is asked again. */
   private askAgain(): void {
-    if (!this.cursor) return;
+    if (!this.cursor || this.dragging) return;
     const otherMap = this.infoCells !== this.store.state.map?.cells;
     if (otherMap) this.info = null;
     if (otherMap || this.infoVersion !== this.runner.version) void this.ask();
@@ -185,20 +190,26 @@ export class MapView extends LitElement implements Ground {
     this.askAgain();
     const ratio = Math.min(devicePixelRatio, 2);
     const [cells, lines] = canvases;
-    const began = performance.now();
-    const { version } = this.runner;
     const camera = this.camera.copy();
-    const pixels = await this.pixelsAt(camera, this.stepOf(), ratio);
-    this.dataset['paint'] = (performance.now() - began).toFixed(1);
-    await this.fetchParents(state);
-    size(cells, pixels);
-    cells.getContext('2d', { alpha: false })!.putImageData(pixels, 0, 0);
-    size(lines, pixels);
+    const window = this.windowOf(camera, ratio);
+    // The engine paints after its search. Until then only the lines change.
+    const later = this.runner.busy && this.painted !== null && same(window, this.painted);
+    const { version } = this.runner;
+    if (!later) {
+      const began = performance.now();
+      const pixels = await this.pixelsAt(window, this.stepOf());
+      this.dataset['paint'] = (performance.now() - began).toFixed(1);
+      await this.fetchParents(state);
+      size(cells, window);
+      cells.getContext('2d', { alpha: false })!.putImageData(pixels, 0, 0);
+      this.painted = window;
+    }
+    size(lines, window);
     const context = lines.getContext('2d')!;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
     this.drawLines(context, camera, this.stepOf());
-    this.shown = version;
+    if (!later) this.shown = version;
   }
 
   /** What the view shows at a step, at one pixel a point of the screen; null if there is nothing. */
@@ -208,26 +219,28 @@ export class MapView extends LitElement implements Ground {
     const canvas = new OffscreenCanvas(width, height);
     const context = canvas.getContext('2d', { willReadFrequently: true })!;
     const camera = this.camera.copy();
-    context.putImageData(await this.pixelsAt(camera, step, 1), 0, 0);
+    context.putImageData(await this.pixelsAt(this.windowOf(camera, 1), step), 0, 0);
     this.drawLines(context as unknown as CanvasRenderingContext2D, camera, step);
     return context.getImageData(0, 0, width, height);
   }
 
-  private async pixelsAt(camera: Camera, step: number, ratio: number): Promise<ImageData> {
+  private windowOf(camera: Camera, ratio: number): Window {
     const { width, height } = this.size;
-    const window: Window = {
+    return {
       width: Math.round(width * ratio), height: Math.round(height * ratio),
       left: camera.left, top: camera.top, cells: 1 / (camera.zoom * ratio),
     };
+  }
+
+  private async pixelsAt(window: Window, step: number): Promise<ImageData> {
     return new ImageData(await this.runner.engine.call('paint', window, step), window.width, window.height);
   }
 
   private drawLines(context: CanvasRenderingContext2D, camera: Camera, step: number): void {
     const { state } = this.store;
     const { outcome } = this.runner;
-    const over = outcome && step >= outcome.steps;
     drawOverlay(context, {
-      state, map: state.map!, camera, size: this.size, colours: this.colours, path: over ? outcome.path : null,
+      state, map: state.map!, camera, size: this.size, colours: this.colours, path: outcome ? pathAt(outcome, step) : null,
       chain: this.info?.chain ?? null, parents: state.arrows ? this.parents : null,
       cursor: this.cursor, keyboard: this.keyboard, headings: this.headings, extras: this.extras,
     });
@@ -263,7 +276,11 @@ export class MapView extends LitElement implements Ground {
   }
 }
 
-function size(canvas: HTMLCanvasElement, { width, height }: ImageData): void {
+function same(one: Window, other: Window): boolean {
+  return one.width === other.width && one.height === other.height && one.left === other.left && one.top === other.top && one.cells === other.cells;
+}
+
+function size(canvas: HTMLCanvasElement, { width, height }: Window): void {
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
 }

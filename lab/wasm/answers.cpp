@@ -32,7 +32,8 @@ std::string failure_text(const RequestFailure& failure, std::uint32_t steps) {
   return json.end_object().text();
 }
 
-std::string plan_text(const PlanAnswer& answer, std::uint32_t steps) {
+std::string plan_text(const PlanAnswer& answer, std::uint32_t steps,
+                      std::span<const Solution> solutions) {
   Json json;
   json.object()
       .field("status", to_string(Status::found))
@@ -42,6 +43,16 @@ std::string plan_text(const PlanAnswer& answer, std::uint32_t steps) {
   json.key("notes").array();
   for (const std::string& note : answer.notes) json.value(note);
   if (answer.fault) json.value(answer.fault->message);
+  json.end_array();
+  json.key("solutions").array();
+  for (const Solution& solution : solutions) {
+    json.object()
+        .field("cost", solution.cost)
+        .field("bound", solution.bound)
+        .field("step", solution.step)
+        .field("points", solution.points)
+        .end_object();
+  }
   json.end_array();
   write(json, answer.plan.metrics, answer.search_seconds, steps);
   return json.end_object().text();

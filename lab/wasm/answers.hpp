@@ -2,14 +2,26 @@
 
 // The answers of a Lab as JSON.
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "lab/wasm/replay.hpp"
 #include "wend/base/error.hpp"
+#include "wend/path/path.hpp"
 #include "wend/session/plan_request.hpp"
 
 namespace wend::lab {
+
+/// A path of an anytime planner.
+struct Solution {
+  double cost;
+  double bound;
+  std::uint32_t step;  // the expansions until then
+  Path path;           // grid coordinates
+  std::size_t points;  // of it, as the page draws it
+};
 
 /// {"error": message, "status": status}
 std::string error_text(const Error& error);
@@ -17,8 +29,10 @@ std::string error_text(const Error& error);
 /// A failed search: the same with the work of the search and the number of steps that can be replayed.
 std::string failure_text(const RequestFailure& failure, std::uint32_t steps);
 
-/// A path: its cost, its bound, the work of the search.
-std::string plan_text(const PlanAnswer& answer, std::uint32_t steps);
+/// A path: its cost, its bound, the work of the search, and the
+/// solutions on the way to it.
+std::string plan_text(const PlanAnswer& answer, std::uint32_t steps,
+                      std::span<const Solution> solutions);
 
 /// A cell: what is there, whether the robot fits, what the search knew of it.
 std::string cell_text(const FreeSpace& space, Cell cell, std::uint8_t byte, const Replay& replay);

@@ -138,10 +138,12 @@ void Lab::find_fits(const SpaceChange& change) {
 
 void Lab::forget_search() {
   replay_.begin(0, 0, 0);
-  pyramid_.set_replay(replay_);
+  pyramid_.forget_steps();
   points_.clear();
+  solutions_.clear();
   path_.reset();
   values_ = {};
+  value_of_cell_.clear();
 }
 
 std::string Lab::plan(const Task& task) {
@@ -166,15 +168,20 @@ std::string Lab::plan(const Task& task) {
   if (task.record) {
     replay_.begin(width_, height_, unit_of(session_, request.planner));
     request.observer = &replay_;
+    if (planners().find(request.planner.name)->capabilities.anytime) {
+      request.on_solution = [this](const Plan& plan) {
+        solutions_.push_back({plan.cost, plan.bound, replay_.steps(), plan.path, 0});
+      };
+    }
   }
   const auto answer = answer_to(request);
-  if (task.record) pyramid_.set_replay(replay_);
   goal_ = cell_at(task.goal.point());
   if (!answer) return failure_text(answer.error(), replay_.steps());
   if (answer->moves) moves_ = *answer->moves;
   path_ = answer->path();
   put(*path_);
-  return plan_text(*answer, replay_.steps());
+  put_solutions();
+  return plan_text(*answer, replay_.steps(), solutions_);
 }
 
 Expected<PlanAnswer, RequestFailure> Lab::answer_to(const PlanRequest& request) {
@@ -213,6 +220,14 @@ void Lab::put(const Path& path) {
   }
 }
 
+void Lab::put_solutions() {
+  for (Solution& solution : solutions_) {
+    const std::size_t before = points_.size();
+    put(solution.path);
+    solution.points = (points_.size() - before) / 3;
+  }
+}
+
 std::string Lab::cell(Cell cell) {
   points_.clear();
   const auto view = session_.view();
@@ -236,6 +251,7 @@ void Lab::paint(const View& view, std::uint32_t step) {
   View drawn = view;
   drawn.y_up = frame_.y_up;
   values_.of_cells = value_of_cell_;
+  pyramid_.take_steps(replay_, pyramid_.level_for(view.cells));
   const bool known = values_.of_search ? replay_.width() != 0 : true;
   lab::paint({.cells = cells_,
               .fits = fits_,

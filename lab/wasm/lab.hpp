@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lab/wasm/answers.hpp"
 #include "lab/wasm/painter.hpp"
 #include "lab/wasm/pyramid.hpp"
 #include "lab/wasm/replay.hpp"
@@ -49,7 +50,7 @@ class Lab {
   std::string set_robot(std::string_view footprint, double clearance_distance,
                         double clearance_cost, bool unknown_free);
 
-  /// Plans; points() then has the path.
+  /// Plans; points() then has the path, and behind it those of the solutions of an anytime planner, if `record`.
   std::string plan(const Task& task);
   /// The nearest places to both ends where the robot fits: at their headings if `headings` is set, else where a
   /// planner on cells can be. The ends themselves if it fits there or nowhere.
@@ -88,10 +89,10 @@ class Lab {
   /// Plans; builds the index that the planner needs, if it has none of this map.
   Expected<PlanAnswer, RequestFailure> answer_to(const PlanRequest& request);
   void put(const Path& path);
+  void put_solutions();
   void show_search(std::string_view layer);
   std::optional<std::string> show_field(std::string_view layer);
   void find_range();
-  std::string answer_text(const PlanAnswer& answer, std::string_view planner) const;
 
   Session session_;
   std::vector<std::uint8_t> cells_;
@@ -104,7 +105,8 @@ class Lab {
   Palette palette_{};
   std::vector<std::uint32_t> pixels_;
   std::vector<double> points_;
-  std::optional<Path> path_;  // the last one
+  std::vector<Solution> solutions_;  // of the last search, as they were found
+  std::optional<Path> path_;         // the last one
   std::string layer_ = "order";
   Values values_;
   std::vector<float> value_of_cell_;

@@ -32,7 +32,10 @@ std::uint32_t ground_colour(std::uint8_t cell, const Palette& palette) {
 class Painter {
  public:
   Painter(const Picture& picture, const View& view, const Palette& palette)
-      : picture_(picture), view_(view), palette_(palette), level_(level_for(view.cells)) {
+      : picture_(picture),
+        view_(view),
+        palette_(palette),
+        level_(picture.pyramid.level_for(view.cells)) {
     const bool blocks = level_ >= 0;
     columns_ = blocks ? picture.pyramid.level(level_).width : picture.width;
     rows_ = blocks ? picture.pyramid.level(level_).height : picture.height;
@@ -124,12 +127,6 @@ class Painter {
     return walls == 0 ? colour : mixed(colour, palette_.obstacle, std::min(256U, 110U + walls));
   }
 
-  int level_for(double cells) const {
-    int level = -1;
-    for (double side = 2; side <= cells && level + 1 < picture_.pyramid.levels(); side *= 2)
-      ++level;
-    return level;
-  }
   bool has_lines() const { return view_.cells * kGridFrom <= 1; }
 
   int column(int x) const {

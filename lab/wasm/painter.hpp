@@ -53,7 +53,7 @@ struct Picture {
   std::span<const std::uint8_t> fits;  // 1: the robot fits; empty: wherever it is free
   int width;
   int height;
-  const Pyramid& pyramid;
+  const Pyramid& pyramid;  // with the steps of its level
   const Replay& replay;
   std::uint32_t step;
   Values values = {};

@@ -83,10 +83,9 @@ void merge_block(Level& level, const Below& below, std::size_t index, const Bloc
   level.ground[index] = dearest;
 }
 
-std::vector<std::uint32_t> least_of(const Level& level, const std::vector<std::uint32_t>& below,
-                                    int width, int height) {
-  std::vector<std::uint32_t> least(static_cast<std::size_t>(level.width) *
-                                   static_cast<std::size_t>(level.height));
+void find_least(const Level& level, const std::vector<std::uint32_t>& below, int width, int height,
+                std::vector<std::uint32_t>& least) {
+  least.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
   for_blocks(level, width, height, [&](std::size_t index, const Block& block) {
     std::uint32_t found = 0;
     for (int i = 0; i < block.count; ++i) {
@@ -96,13 +95,13 @@ std::vector<std::uint32_t> least_of(const Level& level, const std::vector<std::u
     }
     least[index] = found;
   });
-  return least;
 }
 
 }  // namespace
 
 void Pyramid::set_map(std::span<const std::uint8_t> cells, int width, int height) {
   levels_.clear();
+  with_steps_ = 0;
   for (int x = width, y = height; x > 1 || y > 1;
        x = levels_.back().width, y = levels_.back().height) {
     levels_.push_back(half_of(x, y));
@@ -142,26 +141,32 @@ void Pyramid::update(std::span<const std::uint8_t> cells, int width, int height,
   }
 }
 
-void Pyramid::set_replay(const Replay& replay) {
-  if (replay.width() == 0) {
-    for (Level& level : levels_) {
-      level.expansion.clear();
-      level.generation.clear();
-    }
-    return;
-  }
-  int width = replay.width();
-  int height = replay.height();
-  const std::vector<std::uint32_t>* expansion = &replay.expansion();
-  const std::vector<std::uint32_t>* generation = &replay.generation();
+void Pyramid::forget_steps() {
   for (Level& level : levels_) {
-    level.expansion = least_of(level, *expansion, width, height);
-    level.generation = least_of(level, *generation, width, height);
-    width = level.width;
-    height = level.height;
-    expansion = &level.expansion;
-    generation = &level.generation;
+    level.expansion.clear();
+    level.generation.clear();
   }
+  with_steps_ = 0;
+}
+
+void Pyramid::take_steps(const Replay& replay, int level) {
+  if (replay.width() == 0) return;
+  for (; with_steps_ <= level; ++with_steps_) {
+    Level& next = levels_[static_cast<std::size_t>(with_steps_)];
+    const Level* const below = with_steps_ > 0 ? &next - 1 : nullptr;
+    const int width = below != nullptr ? below->width : replay.width();
+    const int height = below != nullptr ? below->height : replay.height();
+    find_least(next, below != nullptr ? below->expansion : replay.expansion(), width, height,
+               next.expansion);
+    find_least(next, below != nullptr ? below->generation : replay.generation(), width, height,
+               next.generation);
+  }
+}
+
+int Pyramid::level_for(double cells) const {
+  int level = -1;
+  for (double side = 2; side <= cells && level + 1 < levels(); side *= 2) ++level;
+  return level;
 }
 
 }  // namespace wend::lab

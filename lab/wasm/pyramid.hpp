@@ -29,8 +29,13 @@ class Pyramid {
   /// Takes over cells of a map of the same size that have changed, by their indices. O(log(cells)) each.
   void update(std::span<const std::uint8_t> cells, int width, int height,
               std::vector<std::uint32_t> changed);
-  /// Takes over the steps of a search on this map, or of none. O(cells).
-  void set_replay(const Replay& replay);
+  /// Forgets the steps of a search. O(levels).
+  void forget_steps();
+  /// Takes over the steps of a search on this map up to a level, as far as they are not there. O(cells).
+  void take_steps(const Replay& replay, int level);
+
+  /// The level for pictures with so many cells a pixel; -1: the cells themselves.
+  int level_for(double cells) const;
 
   /// The level with blocks of 2^(i + 1) x 2^(i + 1) cells, from 0.
   const Level& level(int i) const { return levels_[static_cast<std::size_t>(i)]; }
@@ -38,6 +43,7 @@ class Pyramid {
 
  private:
   std::vector<Level> levels_;
+  int with_steps_ = 0;  // levels that have the steps of the search
 };
 
 }  // namespace wend::lab

@@ -7,6 +7,8 @@ namespace wend::lab {
 namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t kFewOf =
+    4;  // a quarter of the cells: more of them are cleared faster in order
 
 }  // namespace
 
@@ -15,11 +17,30 @@ void Replay::begin(int width, int height, int unit) {
   height_ = height;
   unit_ = unit;
   const auto cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  expansion_.assign(cells, 0);
-  generation_.assign(cells, 0);
-  parent_.assign(cells, kNone);
-  known_.assign(cells, {kUnknown, kUnknown, kUnknown});
   expansions_.clear();
+  if (cells == 0) return;  // the columns stay, for the next search
+  if (expansion_.size() == cells && reached_.size() < cells / kFewOf) {
+    clear_reached();
+  } else {
+    expansion_.assign(cells, 0);
+    generation_.assign(cells, 0);
+    parent_.assign(cells, kNone);
+    known_.assign(cells, {kUnknown, kUnknown, kUnknown});
+  }
+  reached_.clear();
+}
+
+void Replay::clear_reached() {
+  for (const std::uint32_t cell : reached_) {
+    expansion_[cell] = 0;
+    generation_[cell] = 0;
+    parent_[cell] = kNone;
+    known_[cell] = {kUnknown, kUnknown, kUnknown};
+  }
+}
+
+void Replay::reach(std::uint32_t cell) {
+  if (generation_[cell] == 0 && expansion_[cell] == 0) reached_.push_back(cell);
 }
 
 std::uint32_t Replay::index(Cell cell) const {
@@ -45,6 +66,7 @@ void Replay::on_generate(const SearchEvent& event) {
   if (walked_back) return;
   const std::uint32_t now = std::max(steps(), std::uint32_t{1});
   for_cells_at(event.cell, [&](std::uint32_t cell) {
+    reach(cell);
     if (generation_[cell] == 0) generation_[cell] = now;
   });
   write_down(event);
@@ -53,6 +75,7 @@ void Replay::on_generate(const SearchEvent& event) {
 void Replay::on_expand(const SearchEvent& event) {
   expansions_.push_back(index(event.cell));
   for_cells_at(event.cell, [&](std::uint32_t cell) {
+    reach(cell);
     if (expansion_[cell] == 0) expansion_[cell] = steps();
   });
 }

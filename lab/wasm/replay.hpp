@@ -5,7 +5,7 @@
 // of it last. So a picture of any step takes O(pixels), whatever the number of expansions.
 //
 // A state that is not a cell (the vertex of a car) stands for the cells that it touches, as in SearchRecorder.
-// 24 bytes a cell, 4 an expansion.
+// 24 bytes a cell, 4 an expansion, 4 a cell that was reached. begin() clears only what the last search reached.
 
 #include <cstdint>
 #include <vector>
@@ -56,6 +56,9 @@ class Replay final : public SearchObserver {
   void for_cells_at(Cell place, Visit&& visit) const;
   std::uint32_t index(Cell cell) const;
   void write_down(const SearchEvent& event);
+  /// Called before the first change of a cell.
+  void reach(std::uint32_t cell);
+  void clear_reached();
 
   int width_ = 0;
   int height_ = 0;
@@ -65,6 +68,7 @@ class Replay final : public SearchObserver {
   std::vector<std::uint32_t> parent_;
   std::vector<Known> known_;
   std::vector<std::uint32_t> expansions_;
+  std::vector<std::uint32_t> reached_;
 };
 
 }  // namespace wend::lab

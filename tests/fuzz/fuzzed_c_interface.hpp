@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -166,11 +167,28 @@ class FuzzedRequest {
   std::vector<wend_pose> goals_;
 };
 
-inline std::string check_answers(wend_session* session, const wend_request& request) {
+/// What the paths of an anytime planner have shown.
+struct FuzzedSolutions {
+  std::string wrong;
+  double cost = std::numeric_limits<double>::infinity();  // of the last one
+};
+
+inline void take_solution(const wend_plan* plan, void* context) {
+  FuzzedSolutions& solutions = *static_cast<FuzzedSolutions*>(context);
+  if (solutions.wrong.empty()) solutions.wrong = check_plan(plan);
+  if (wend_plan_cost(plan) > solutions.cost) solutions.wrong = "a dearer path after a cheaper one";
+  solutions.cost = wend_plan_cost(plan);
+}
+
+inline std::string check_answers(wend_session* session, wend_request request) {
   std::string wrong = check_questions(session, request.start);
+  FuzzedSolutions solutions;
+  request.on_solution = take_solution;
+  request.context = &solutions;
   const auto plan = fuzzed_object<wend_plan>(wrong, [&](wend_plan** out, wend_error* error) {
     return wend_session_plan(session, &request, out, error);
   });
+  if (wrong.empty()) wrong = solutions.wrong;
   if (wrong.empty()) wrong = check_plan(plan.get());
   const auto field = fuzzed_object<wend_field>(wrong, [&](wend_field** out, wend_error* error) {
     return wend_session_field(session, &request, out, error);

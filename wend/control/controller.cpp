@@ -14,6 +14,7 @@ const Registry<ControllerInfo>& controllers() {
   static const Registry<ControllerInfo> registry({
 #define WEND_CONTROLLER(name) name##_controller(),
 #include "wend/control/controllers.def"
+#include "wend/geometry/trigonometry.hpp"
   });
   return registry;
 }
@@ -31,7 +32,7 @@ std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionMod
 
 double turn_to(const MapPose& pose, MapPoint point) {
   if (point == pose.point()) return 0;
-  return normalized_angle(std::atan2(point.y - pose.y, point.x - pose.x) - pose.heading);
+  return normalized_angle(arc_tangent(point.y - pose.y, point.x - pose.x) - pose.heading);
 }
 
 double way_left(const MapPolyline& route, double along, MapPoint point) {

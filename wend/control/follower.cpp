@@ -47,6 +47,11 @@ void Follower::begin_leg(std::size_t leg) {
   controller_->begin(current_leg().line, limits_);
 }
 
+void Follower::set_limits(const VelocityLimits& limits) {
+  limits_ = limits;
+  if (state_ == FollowerState::driving) controller_->begin(current_leg().line, limits_);
+}
+
 FollowerStep Follower::step(const MapPose& pose, double seconds) {
   assert(seconds > 0);
   if (state_ != FollowerState::driving) return brake(seconds);

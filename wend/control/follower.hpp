@@ -83,6 +83,16 @@ class WEND_API Follower {
   /// the robot can reach within a second); allocates only what a controller needs for a new route.
   FollowerStep step(const MapPose& pose, double seconds);
 
+  /// Other limits, from the next command on, also while driving. The controller begins the rest of the
+  /// leg with them.
+  void set_limits(const VelocityLimits& limits);
+  /// The limits of the commands.
+  const VelocityLimits& limits() const { return limits_; }
+
+  /// The robot's velocity, if it is not the one that step() commanded last: the next command is within
+  /// reach of it.
+  void set_velocity(const Velocity& velocity) { velocity_ = velocity; }
+
   /// The robot's progress along the route, m.
   double along() const { return behind_ + along_; }
 

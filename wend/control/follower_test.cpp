@@ -75,6 +75,38 @@ TEST(Follower, HasNothingToDoBeforeItFollows) {
   EXPECT_EQ(step.command, Velocity{});
 }
 
+TEST(Follower, KeepsToLimitsThatChangeOnTheWay) {
+  const auto controller = made_controller("pure_pursuit");
+  TestRobot robot{Follower(*controller)};
+  robot.follower.follow(route_through({{0, 0}, {20, 0}}));
+  while (robot.state.pose.x < 5) robot.step();
+  EXPECT_NEAR(robot.state.velocity.linear, 0.5, 1e-9);
+  robot.follower.set_limits({.speed = 0.2});
+  const double along = robot.follower.along();
+  for (int i = 0; i < 10; ++i) robot.step();
+  EXPECT_GT(robot.follower.along(), along);
+  while (robot.state.pose.x < 10) {
+    robot.step();
+    ASSERT_LE(robot.state.velocity.linear, 0.2 + 1e-9);
+  }
+  robot.follower.set_limits({.speed = 0.4});
+  EXPECT_EQ(robot.follower.limits().speed, 0.4);
+  while (robot.state.pose.x < 15) robot.step();
+  EXPECT_NEAR(robot.state.velocity.linear, 0.4, 1e-9);
+  EXPECT_EQ(robot.run(), FollowerState::reached);
+}
+
+TEST(Follower, CommandsWhatARobotOfAnotherVelocityCanReach) {
+  Stubborn controller({0.5, 0});
+  Follower follower(controller, {.speed = 0.5, .acceleration = 1});
+  follower.follow(route_through({{0, 0}, {20, 0}}));
+  EXPECT_NEAR(follower.step({0, 0, 0}, kPeriod).command.linear, 0.05, 1e-9);
+  follower.set_velocity({0.3, 0});
+  EXPECT_NEAR(follower.step({0.01, 0, 0}, kPeriod).command.linear, 0.35, 1e-9);
+  follower.set_velocity({});
+  EXPECT_NEAR(follower.step({0.02, 0, 0}, kPeriod).command.linear, 0.05, 1e-9);
+}
+
 TEST(Follower, ArrivesWithEveryController) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);

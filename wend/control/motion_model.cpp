@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -22,7 +23,7 @@ Velocity limited(const Velocity& wanted, const Velocity& now, const VelocityLimi
 }
 
 double MotionModel::turning_radius() const {
-  return drivetrain == Drivetrain::differential ? 0 : wheelbase / std::tan(steering_limit);
+  return drivetrain == Drivetrain::differential ? 0 : wheelbase / tangent(steering_limit);
 }
 
 Step hold(const MapPose& from, const Velocity& velocity, double seconds) {

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "wend/geometry/trigonometry.hpp"
+
 namespace wend {
 namespace {
 
@@ -100,8 +102,8 @@ class Search {
   bool leads_on(std::size_t piece) const {
     const PointType a = points_[piece];
     const PointType b = points_[piece + 1];
-    const double ahead =
-        std::cos(pose_.heading) * (b.x - a.x) + std::sin(pose_.heading) * (b.y - a.y);
+    const auto [sine, cosine] = sine_and_cosine(pose_.heading);
+    const double ahead = cosine * (b.x - a.x) + sine * (b.y - a.y);
     const bool reverse = !gears_.empty() && gears_[piece] < 0;
     return reverse ? ahead <= 0 : ahead >= 0;
   }

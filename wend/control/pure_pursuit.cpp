@@ -8,6 +8,7 @@
 #include "wend/control/controller.hpp"
 #include "wend/control/speed_profile.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -60,7 +61,7 @@ class PurePursuitController final : public Controller {
     }
     // The circle through the target that is tangent to the heading.
     const double chord = distance(pose.point(), target);
-    const double curvature = chord > 0 ? 2 * std::sin(turn) / chord : 0;
+    const double curvature = chord > 0 ? 2 * sine_and_cosine(turn).sine / chord : 0;
     const double speed = speed_on(curvature, input);
     return {speed, speed * curvature};
   }
@@ -76,7 +77,8 @@ class PurePursuitController final : public Controller {
     const MapPose place = route.at(along);
     const double beyond = along - route.length();
     if (beyond <= 0 || input.along >= route.length()) return place.point();
-    return {place.x + beyond * std::cos(place.heading), place.y + beyond * std::sin(place.heading)};
+    const auto [sine, cosine] = sine_and_cosine(place.heading);
+    return {place.x + beyond * cosine, place.y + beyond * sine};
   }
 
   double speed_on(double curvature, const ControllerInput& input) const {

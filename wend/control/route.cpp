@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/path/small_jump.hpp"
@@ -101,6 +102,14 @@ Route::Route(const Path& path, const Frame& frame, bool closed) {
     start_ = frame.to_metres(joined.poses().front());
     if (!closed) final_heading_ = frame.to_metres(joined.poses().back()).heading;
   });
+  end_ = facing(legs_.back(), legs_.back().line.length());
+  if (final_heading_) end_.heading = *final_heading_;
+}
+
+Route::Route(std::vector<RouteLeg> legs, std::optional<double> final_heading)
+    : legs_(std::move(legs)), final_heading_(final_heading) {
+  assert(!legs_.empty());
+  start_ = facing(legs_.front(), 0);
   end_ = facing(legs_.back(), legs_.back().line.length());
   if (final_heading_) end_.heading = *final_heading_;
 }

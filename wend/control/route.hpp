@@ -38,6 +38,9 @@ class WEND_API Route {
   /// a straight line, driven forwards, joins the end to the start.
   Route(const Path& path, const Frame& frame, bool closed = false);
 
+  /// A route of these legs, at least one. `final_heading` is the heading at the end, if one is asked for.
+  explicit Route(std::vector<RouteLeg> legs, std::optional<double> final_heading = {});
+
   /// The legs, in the order in which they are driven; at least one.
   const std::vector<RouteLeg>& legs() const { return legs_; }
   /// The length of all legs, m.

@@ -30,6 +30,24 @@ TEST(Route, OfCellsIsOneLegInMetres) {
   expect_near(route.end(), {0.85, 2.15, kPi});
 }
 
+TEST(Route, OfLegsIsThatOfThePathWithTheseLegs) {
+  const Frame frame{.resolution = 0.5, .origin = {1, 2, 0}};
+  const Route route(Path::through({{1, 1, 0}, {4, 1, 0}, {2, 1, 0}}), frame);
+  ASSERT_EQ(route.legs().size(), 2U);
+  const Route again(route.legs(), route.final_heading());
+  expect_near(again.start(), route.start());
+  expect_near(again.end(), route.end());
+  EXPECT_EQ(again.final_heading(), route.final_heading());
+  EXPECT_NEAR(again.length(), 2.5, kRounding);
+}
+
+TEST(Route, OfALegInReverseHasTheRobotTurnedRound) {
+  const Route route({RouteLeg{MapPolyline({{0, 0}, {2, 0}}), true}});
+  expect_near(route.start(), {0, 0, kPi});
+  expect_near(route.end(), {2, 0, kPi});
+  EXPECT_EQ(route.final_heading(), std::nullopt);
+}
+
 TEST(Route, OfASinglePointHasNoLength) {
   for (const Path& path : {Path(std::vector<Cell>{{3, 4}}), Path::along({{3.5, 4.5}}),
                            Path::through({{3.5, 4.5, 0}})}) {

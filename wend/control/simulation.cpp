@@ -6,6 +6,7 @@
 
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/robot/fits_along.hpp"
 
 namespace wend {
@@ -216,7 +217,8 @@ class Simulation {
     const double heading = leg.line.heading_at(place.along, heading_window_);
     const double to_x = robot_.pose.x - place.point.x;
     const double to_y = robot_.pose.y - place.point.y;
-    const double left = std::cos(heading) * to_y - std::sin(heading) * to_x;
+    const auto [sine, cosine] = sine_and_cosine(heading);
+    const double left = cosine * to_y - sine * to_x;
     const double turned = heading + (leg.reverse ? kPi : 0);
     drive_.samples.push_back({drive_.time, frame_.to_grid(robot_.pose), robot_.velocity,
                               normalized_angle(turned - robot_.pose.heading),

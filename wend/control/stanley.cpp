@@ -19,6 +19,7 @@
 #include "wend/control/controller.hpp"
 #include "wend/control/speed_profile.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -63,7 +64,7 @@ class StanleyController final : public Controller {
     if (input.turn != 0) return {0, kTurnGain * input.turn};
     const double speed = std::max(profile_.at(input.along), options_.min_speed);
     const double steering = steering_of(input, speed);
-    const double curvature = std::tan(steering) / options_.front_distance;
+    const double curvature = tangent(steering) / options_.front_distance;
     const double most = input.limits.turn_rate / std::abs(curvature);
     const double slow = std::min(speed, std::max(most, options_.min_speed));
     return {slow, slow * curvature};
@@ -93,13 +94,14 @@ class StanleyController final : public Controller {
     const Place place = place_at(*input.route, input.along);
     const MapPose& robot = input.pose;
     // The wheel of a robot on the path, its course, and the wheel of this robot in that frame.
-    const double course = place.pose.heading + std::atan(reach * place.curvature);
-    const double dx = robot.x + reach * std::cos(robot.heading) -
-                      (place.pose.x + reach * std::cos(place.pose.heading));
-    const double dy = robot.y + reach * std::sin(robot.heading) -
-                      (place.pose.y + reach * std::sin(place.pose.heading));
-    const double left = std::cos(course) * dy - std::sin(course) * dx;
-    const double back = std::atan(-options_.cross_track_gain * left / speed);
+    const double course = place.pose.heading + arc_tangent(reach * place.curvature, 1);
+    const SineCosine ahead = sine_and_cosine(robot.heading);
+    const SineCosine path = sine_and_cosine(place.pose.heading);
+    const double dx = robot.x + reach * ahead.cosine - (place.pose.x + reach * path.cosine);
+    const double dy = robot.y + reach * ahead.sine - (place.pose.y + reach * path.sine);
+    const auto [sine, cosine] = sine_and_cosine(course);
+    const double left = cosine * dy - sine * dx;
+    const double back = arc_tangent(-options_.cross_track_gain * left / speed, 1);
     return std::clamp(normalized_angle(course - robot.heading + back), -kMost, kMost);
   }
 

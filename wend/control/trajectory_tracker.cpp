@@ -5,6 +5,7 @@
 
 #include "wend/control/route.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 
@@ -35,9 +36,10 @@ Velocity TrajectoryTracker::command(const ControllerInput& input) {
   time_ += input.seconds;
   const double dx = wanted.x - robot.x;
   const double dy = wanted.y - robot.y;
-  const double ahead = std::cos(robot.heading) * dx + std::sin(robot.heading) * dy;
-  const double left = std::cos(robot.heading) * dy - std::sin(robot.heading) * dx;
-  const double linear = reference.speed * std::cos(turn) + gains_.along_gain * ahead;
+  const auto [sine, cosine] = sine_and_cosine(robot.heading);
+  const double ahead = cosine * dx + sine * dy;
+  const double left = cosine * dy - sine * dx;
+  const double linear = reference.speed * sine_and_cosine(turn).cosine + gains_.along_gain * ahead;
   const double angular =
       reference.turn_rate + gains_.heading_gain * turn + gains_.side_gain * reference.speed * left;
   return {input.reverse ? -linear : linear, angular};

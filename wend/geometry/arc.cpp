@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -13,10 +14,10 @@ auto point_after(const BasicArc<PoseType>& arc, double length) -> decltype(arc.f
   const PoseType& from = arc.from;
   // The chord has the length of the arc times sin(turn / 2) / (turn / 2), rotated by half the turn.
   const double half = length * arc.curvature / 2;
-  const double shrink = half == 0 ? 1 : std::sin(half) / half;
+  const double shrink = half == 0 ? 1 : sine_and_cosine(half).sine / half;
   const double chord = length * shrink;
-  return {from.x + chord * std::cos(from.heading + half),
-          from.y + chord * std::sin(from.heading + half)};
+  const auto [sine, cosine] = sine_and_cosine(from.heading + half);
+  return {from.x + chord * cosine, from.y + chord * sine};
 }
 
 template <class PoseType>
@@ -28,8 +29,7 @@ PoseType pose_after(const BasicArc<PoseType>& arc, double length) {
 }  // namespace
 
 Arc arc_to(const Pose& from, Point to) {
-  const double cosine = std::cos(from.heading);
-  const double sine = std::sin(from.heading);
+  const auto [sine, cosine] = sine_and_cosine(from.heading);
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;
   const double along = cosine * dx + sine * dy;
@@ -39,7 +39,7 @@ Arc arc_to(const Pose& from, Point to) {
   constexpr double kStraight = 1e-12;
   if (std::abs(across) <= kStraight * std::sqrt(squared)) return {from, along, 0};
   const double curvature = 2 * across / squared;
-  const double turn = 2 * std::atan2(across, std::abs(along)) * (along < 0 ? -1 : 1);
+  const double turn = 2 * arc_tangent(across, std::abs(along)) * (along < 0 ? -1 : 1);
   return {from, turn / curvature, curvature};
 }
 
@@ -53,7 +53,8 @@ int chord_count(const Arc& arc, double tolerance) {
   if (arc.curvature == 0) return 1;
   // The sagitta of a chord that turns by t is (1 - cos(t/2)) / curvature.
   const double cosine = std::max(1 - tolerance * std::abs(arc.curvature), 0.0);
-  return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * std::acos(cosine)))));
+  const double half = arc_tangent(std::sqrt(1 - cosine * cosine), cosine);
+  return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * half))));
 }
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -42,7 +43,8 @@ class OwnFrame {
     // In reverse it leaves against its heading, and it bends to the other side.
     const double gear = arc.length < 0 ? -1 : 1;
     const double side = gear * arc.curvature < 0 ? -1 : 1;
-    along_ = {gear * std::cos(arc.from.heading), gear * std::sin(arc.from.heading)};
+    const auto [sine, cosine] = sine_and_cosine(arc.from.heading);
+    along_ = {gear * cosine, gear * sine};
     across_ = {-side * along_.y, side * along_.x};
     end_ = point_on(Arc{{}, 0, curvature_}, std::abs(arc.length));
   }

@@ -18,6 +18,7 @@
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 
@@ -101,7 +102,7 @@ constexpr Direction direction_of(Cell step) {
 inline Direction nearest_direction(Cell from, Cell to) {
   const double x = static_cast<double>(to.x) - from.x;
   const double y = static_cast<double>(to.y) - from.y;
-  const auto eighths = static_cast<int>(std::round(std::atan2(x, y) / (kPi / 4)));
+  const auto eighths = static_cast<int>(std::round(arc_tangent(x, y) / (kPi / 4)));
   return static_cast<Direction>((eighths + kDirections) % kDirections);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -16,8 +17,7 @@ MapPoint Frame::to_metres(Point grid) const {
   const double along = resolution * grid.x;
   const double across = resolution * grid.y;
   if (origin.heading == 0) return {origin.x + along, origin.y + across};
-  const double cosine = std::cos(origin.heading);
-  const double sine = std::sin(origin.heading);
+  const auto [sine, cosine] = sine_and_cosine(origin.heading);
   return {origin.x + cosine * along - sine * across, origin.y + sine * along + cosine * across};
 }
 
@@ -25,8 +25,7 @@ Point Frame::to_grid(MapPoint metres) const {
   const double along = metres.x - origin.x;
   const double across = metres.y - origin.y;
   if (origin.heading == 0) return {along / resolution, across / resolution};
-  const double cosine = std::cos(origin.heading);
-  const double sine = std::sin(origin.heading);
+  const auto [sine, cosine] = sine_and_cosine(origin.heading);
   return {(cosine * along + sine * across) / resolution,
           (cosine * across - sine * along) / resolution};
 }

@@ -13,6 +13,7 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/map_pose.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 
@@ -25,7 +26,7 @@ struct BasicLine {
   /// The distance between the ends.
   double length() const { return distance(from, to); }
   /// The direction from `from` to `to` in radians; 0 if both are the same point.
-  double heading() const { return std::atan2(to.y - from.y, to.x - from.x); }
+  double heading() const { return arc_tangent(to.y - from.y, to.x - from.x); }
   /// The point halfway.
   PointType middle() const { return {(from.x + to.x) / 2, (from.y + to.y) / 2}; }
   /// The point after a share of the line, from 0 to 1.

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "wend/geometry/trigonometry.hpp"
+
 namespace wend {
 
 /// A position in the map's frame.
@@ -29,6 +31,6 @@ struct MapPose {
 };
 
 /// Euclidean distance in metres.
-inline double distance(MapPoint a, MapPoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
+inline double distance(MapPoint a, MapPoint b) { return hypotenuse(a.x - b.x, a.y - b.y); }
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 
@@ -43,6 +44,6 @@ constexpr Pose pose_at(Cell cell, double heading = 0) {
 }
 
 /// Euclidean distance in cells.
-inline double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+inline double distance(Point a, Point b) { return hypotenuse(a.x - b.x, a.y - b.y); }
 
 }  // namespace wend

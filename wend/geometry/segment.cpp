@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -28,10 +29,10 @@ Segment segment_between(const Pose& from, const Pose& to) {
   constexpr double kNoWay = 1e-10;
   if (chord < kNoWay) return {from, 0, turn, 0};
   // The chord leads in the direction that the base point has half-way.
-  const double direction = std::atan2(to.y - from.y, to.x - from.x);
+  const double direction = arc_tangent(to.y - from.y, to.x - from.x);
   double course = normalized_angle(direction - from.heading - turn / 2);
   const double half = turn / 2;
-  double length = half == 0 ? chord : chord * half / std::sin(half);
+  double length = half == 0 ? chord : chord * half / sine_and_cosine(half).sine;
   constexpr double kRounding = 1e-9;
   if (std::abs(course) > kPi / 2 + kRounding) {
     length = -length;

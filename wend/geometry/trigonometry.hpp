@@ -1,6 +1,6 @@
 #pragma once
 
-// Sine, cosine and arc tangent, the same on every platform: mathematical libraries differ in the last bits, and
+// Sine, cosine, tangent, arc tangent and hypotenuse, the same on every platform: mathematical libraries differ in the last bits, and
 // these functions use nothing but + - * / and comparisons. (Where a compiler may fuse a multiplication and an
 // addition by itself, it has to be told not to: -ffp-contract=off.)
 //
@@ -63,6 +63,15 @@ inline SineCosine sine_and_cosine(double radians) {
   return {both[swapped] * kSign[(quadrant >> 1U) & 1U],
           both[1 - swapped] * kSign[((quadrant + 1) >> 1U) & 1U]};
 }
+
+/// The tangent of a finite angle in radians.
+inline double tangent(double radians) {
+  const SineCosine both = sine_and_cosine(radians);
+  return both.sine / both.cosine;
+}
+
+/// sqrt(x x + y y), for numbers whose squares are neither too large nor too small for a double.
+inline double hypotenuse(double x, double y) { return std::sqrt(x * x + y * y); }
 
 /// The angle from +x to the point (x, y), in (-pi, pi]; 0 for the origin. Signs of zeros do not count. Both
 /// coordinates are finite, and their ratio is neither too large nor too small for a double.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -25,8 +26,7 @@ class Placement {
     const Point first = other.to_grid(one.to_metres(Point{0.5, 0.5}));
     const double ratio = one.resolution / other.resolution;
     const double turn = one.origin.heading - other.origin.heading;
-    const double cosine = turn == 0 ? 1 : std::cos(turn);
-    const double sine = turn == 0 ? 0 : std::sin(turn);
+    const auto [sine, cosine] = sine_and_cosine(turn);
     return {to, first, {ratio * cosine, ratio * sine}, {-ratio * sine, ratio * cosine}};
   }
 

@@ -8,6 +8,7 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/line.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/robot/fits_along.hpp"
 
@@ -18,7 +19,8 @@ constexpr double kSame = 1e-9;  // cells: rounding
 
 /// So far from a point in a direction.
 Pose displaced(Point point, double heading, double distance) {
-  return {point.x + distance * std::cos(heading), point.y + distance * std::sin(heading), heading};
+  const auto [sine, cosine] = sine_and_cosine(heading);
+  return {point.x + distance * cosine, point.y + distance * sine, heading};
 }
 
 /// Appends a pose, unless the last one is the same but for rounding.

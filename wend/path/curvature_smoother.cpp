@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "wend/geometry/line.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/smoothing.hpp"
 
@@ -78,7 +79,7 @@ Bend bend_of(Point a, Point b, Point c, double radius) {
   if (corner.half_turn_tangent() <= widest) return {};
   if (corner.half_turn_tangent() > 1) {  // it turns back: the line through the others leads nowhere
     const Point to_middle{(a.x + c.x) / 2 - b.x, (a.y + c.y) / 2 - b.y};
-    const double way = std::hypot(to_middle.x, to_middle.y);
+    const double way = hypotenuse(to_middle.x, to_middle.y);
     return {way, {to_middle.x / way, to_middle.y / way}};
   }
   const double length = distance(a, c);

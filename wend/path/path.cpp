@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -31,7 +32,7 @@ double length_of(std::span<const Cell> cells) {
     } else if (dx == 1 && dy == 1) {
       ++diagonal;
     } else {
-      other += std::hypot(dx, dy);
+      other += hypotenuse(dx, dy);
     }
   }
   return static_cast<double>(straight) + std::numbers::sqrt2 * static_cast<double>(diagonal) +
@@ -61,7 +62,7 @@ std::vector<Pose> heading_along(std::span<const Point> points) {
   for (const Point point : points) {
     if (!poses.empty()) {
       Pose& last = poses.back();
-      if (point != last.point()) last.heading = std::atan2(point.y - last.y, point.x - last.x);
+      if (point != last.point()) last.heading = arc_tangent(point.y - last.y, point.x - last.x);
     }
     poses.push_back({point.x, point.y, poses.empty() ? 0 : poses.back().heading});
   }

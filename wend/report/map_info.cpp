@@ -133,8 +133,9 @@ std::string map_info_text(const MapInfo& info) {
   }
   if (info.clearance_distance > 0) {
     line("keep away", share(info.space.near_obstacles, info.space.passable) +
-                          fmt::format(" cost more: an obstacle is within {:.4g}{} of the robot",
-                                      info.clearance_distance, unit));
+                          fmt::format(" cost more: an obstacle is within {:.4g}{} of the robot; "
+                                      "planners round to 1/{}",
+                                      info.clearance_distance, unit, CostMap::kOne));
   }
   line("components", components_text(info));
   line("frame", frame_text(info.frame));

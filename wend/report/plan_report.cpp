@@ -67,7 +67,8 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
 std::string heading_text(double radians, const Frame& frame) {
   if (const auto heading = exact_heading(radians)) return std::string(letter_of(*heading, frame));
   const double in_map = frame.to_metres(Pose{0, 0, radians}).heading;
-  return fmt::format("{:.4g}deg", degrees_from(in_map));
+  const double degrees = std::round(degrees_from(in_map) * 1e6) / 1e6 + 0.0;  // not 1e-14
+  return fmt::format("{:.4g}deg", degrees);
 }
 
 std::string pose_text(const Pose& pose, const Frame& frame) {

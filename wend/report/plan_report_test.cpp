@@ -37,6 +37,13 @@ TEST(PlanJson, HasAPlanInCellsAndMetres) {
       "\n");
 }
 
+TEST(HeadingText, HasNoDigitsOfRounding) {
+  EXPECT_EQ(heading_text(2.2e-16, kPlanFrame), "0deg");
+  EXPECT_EQ(heading_text(-2.2e-16, kPlanFrame), "0deg");
+  EXPECT_EQ(heading_text(kPi / 6 + 2.2e-16, kPlanFrame), "30deg");
+  EXPECT_EQ(heading_text(0, kPlanFrame), "E");
+}
+
 TEST(PlanJson, SaysWhatAnIndexTook) {
   PlanResult result{.planner = "hub_labels", .plan = {}, .reason = {}};
   result.times.index = 1.25;

@@ -8,6 +8,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -140,11 +141,12 @@ Footprint Footprint::grown(double margin) const {
   Footprint around = disc(circumscribed_ + margin);
   if (!polygon_ || margin == 0) return polygon_ ? *this : around;
   std::vector<Point> points;
-  const double reach = margin / std::cos(kPi / kSides);
+  const double reach = margin / sine_and_cosine(kPi / kSides).cosine;
   for (const Point corner : polygon_->corners()) {
     for (int i = 0; i < kSides; ++i) {
       const double angle = (2 * i + 1) * kPi / kSides;
-      points.push_back({corner.x + reach * std::cos(angle), corner.y + reach * std::sin(angle)});
+      const auto [sine, cosine] = sine_and_cosine(angle);
+      points.push_back({corner.x + reach * cosine, corner.y + reach * sine});
     }
   }
   auto hull = Polygon::make(convex_hull(std::move(points)));

@@ -208,7 +208,7 @@ MotionPrimitive turn_on_arc(int a, int b, double radius) {
   const Cell ahead = kSixteenWays[static_cast<std::size_t>(a)];
   const Cell after = kSixteenWays[static_cast<std::size_t>(b)];
   const double turn = normalized_angle(angle_of(after) - angle_of(ahead));
-  const double least_tangent = radius * std::tan(std::abs(turn) / 2);
+  const double least_tangent = radius * tangent(std::abs(turn) / 2);
   const auto steps_for = [&](Cell way) {
     return std::max(1, static_cast<int>(std::ceil(least_tangent / length_of(way) - 1e-9)));
   };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "wend/geometry/trigonometry.hpp"
+
 namespace wend {
 namespace {
 
@@ -56,7 +58,7 @@ class PassedSquares {
 
  private:
   static Strip across(Point by, Cell square) {
-    const double length = std::hypot(by.x, by.y);
+    const double length = hypotenuse(by.x, by.y);
     constexpr double kEverything = std::numeric_limits<double>::max();
     if (length == 0) return {0, 0, -kEverything, kEverything};
     Strip strip{-by.y / length, by.x / length, 0, 0};
@@ -75,8 +77,7 @@ class PassedSquares {
 
 PlacedPolygon::PlacedPolygon(const Polygon& polygon, const Pose& pose)
     : size_(polygon.corners().size()), box_(pose.point()) {
-  const double cosine = std::cos(pose.heading);
-  const double sine = std::sin(pose.heading);
+  const auto [sine, cosine] = sine_and_cosine(pose.heading);
   for (std::size_t i = 0; i < size_; ++i) {
     const Point corner = polygon.corners()[i];
     corners_[i] = {pose.x + cosine * corner.x - sine * corner.y,

@@ -149,7 +149,8 @@ SweptCells::SweptCells(const FreeSpace& space, std::span<const Pose> poses) {
   const double farthest = std::max({distance(middle, way.low), distance(middle, way.high),
                                     distance(middle, Point{way.low.x, way.high.y}),
                                     distance(middle, Point{way.high.x, way.low.y})});
-  const double reach = std::ceil(std::pow(2 * (farthest + margin), 2));
+  const double half_cells = 2 * (farthest + margin);
+  const double reach = std::ceil(half_cells * half_cells);
   constexpr double kMost = std::numeric_limits<std::uint32_t>::max();
   reach_ = static_cast<std::uint32_t>(std::min(reach, kMost));
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "wend/geometry/arc_distance.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/point_sweep.hpp"
@@ -137,7 +138,7 @@ double way_clearance(const FreeSpace& space, Cell from, Cell to) {
   }
   const double dx = static_cast<double>(to.x) - from.x;
   const double dy = static_cast<double>(to.y) - from.y;
-  return arc_clearance(space, {pose_at(from, std::atan2(dy, dx)), std::hypot(dx, dy), 0});
+  return arc_clearance(space, {pose_at(from, arc_tangent(dy, dx)), hypotenuse(dx, dy), 0});
 }
 
 std::optional<double> room_along(const FreeSpace& space, const Line& line, Adjacency adjacency) {

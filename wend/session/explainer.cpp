@@ -260,6 +260,10 @@ std::string Explainer::stopped(Status status, const Limits& limits,
   const std::string expansions = std::to_string(metrics.expanded) + " expansions";
   switch (status) {
     case Status::expansion_limit:
+      if (limits.expansions == Limits::kUnlimited) {
+        return "stopped after " + expansions + ", the planner's own limit; give it a higher one" +
+               in_brackets(hints_.limit_expansions, std::to_string(2 * metrics.expanded));
+      }
       return "stopped after " + expansions +
              in_brackets(hints_.limit_expansions, std::to_string(limits.expansions));
     case Status::time_limit:

@@ -11,6 +11,7 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/path/smoother.hpp"
+#include "wend_nav2/path_pieces.hpp"
 
 namespace wend_nav2 {
 namespace {
@@ -25,45 +26,10 @@ bool is_offered(std::string_view smoother) {
   return std::ranges::find(kSmoothers, smoother) != kSmoothers.end();
 }
 
-wend::Point step(const wend::MapPose& from, const wend::MapPose& to) {
-  return {to.x - from.x, to.y - from.y};
-}
-
-double dot(wend::Point a, wend::Point b) { return a.x * b.x + a.y * b.y; }
-
-/// Is a path cut at this inner pose?
-bool is_cut(const wend::MapPose& before, const wend::MapPose& at, const wend::MapPose& after) {
-  const wend::Point in = step(before, at);
-  const wend::Point out = step(at, after);
-  return dot(in, in) == 0 || dot(out, out) == 0 || dot(in, out) < 0;
-}
-
-/// The places of the poses where pieces begin, and that of the last pose.
-std::vector<std::size_t> cuts_of(const Poses& path) {
-  std::vector<std::size_t> cuts{0};
-  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-    if (is_cut(path[i - 1], path[i], path[i + 1])) cuts.push_back(i);
-  }
-  cuts.push_back(path.size() - 1);
-  return cuts;
-}
-
-/// Is a piece driven in reverse? Most of its way decides; paths without headings face along +x.
-bool in_reverse(std::span<const wend::MapPose> piece) {
-  double ahead = 0;
-  bool turns = false;
-  for (std::size_t i = 0; i + 1 < piece.size(); ++i) {
-    const wend::Point way = step(piece[i], piece[i + 1]);
-    ahead += dot(way, {std::cos(piece[i].heading), std::sin(piece[i].heading)});
-    turns = turns || piece[i].heading != 0;
-  }
-  return turns && ahead < 0;
-}
-
 /// The smoothed points as poses; the first and the last keep their headings.
 void append_piece(Poses& poses, const std::vector<wend::MapPoint>& points,
-                  std::span<const wend::MapPose> piece) {
-  const double turned = in_reverse(piece) ? wend::kPi : 0;
+                  std::span<const wend::MapPose> piece, bool reverse) {
+  const double turned = reverse ? wend::kPi : 0;
   poses.push_back(piece.front());
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     const double way = std::atan2(points[i + 1].y - points[i].y, points[i + 1].x - points[i].x);
@@ -136,6 +102,7 @@ wend::Expected<PathSmoother::Result, Failure> PathSmoother::smooth(
   const wend::Frame& frame = view->space.map().frame();
   Result result;
   const std::vector<std::size_t> cuts = cuts_of(path);
+  const bool faces = has_headings(path);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const std::span<const wend::MapPose> piece =
         std::span(path).subspan(cuts[i], cuts[i + 1] - cuts[i] + 1);
@@ -146,7 +113,8 @@ wend::Expected<PathSmoother::Result, Failure> PathSmoother::smooth(
     }
     const auto smoothed = (*smoother)(waypoints(piece, frame), view->space);
     if (!smoothed) return no_smoothing(smoothed.error(), FailureKind::no_valid_path);
-    append_piece(result.poses, smoothed->path.points_in_metres(frame), piece);
+    append_piece(result.poses, smoothed->path.points_in_metres(frame), piece,
+                 faces && in_reverse(piece));
   }
   result.poses.push_back(path.back());
   return result;

@@ -25,6 +25,7 @@
 #include "conversions.hpp"
 #include "nav2_types.hpp"
 #include "plugin_parameters.hpp"
+#include "pose_messages.hpp"
 #include "wend_nav2/path_planner.hpp"
 
 namespace wend_nav2 {
@@ -72,7 +73,7 @@ class Planner final : public nav2_core::GlobalPlanner {
     clock_ = node->get_clock();
     costmap_ = std::move(costmap);
     planner_.emplace();
-    parameters_ = std::make_unique<PluginParameters>(node, name_);
+    parameters_ = std::make_unique<PluginParameters>(node->get_node_parameters_interface(), name_);
     read_parameters();
     RCLCPP_INFO(logger_, "%s plans with wend's %s", name_.c_str(),
                 planner_->settings().planner.c_str());
@@ -157,14 +158,9 @@ class Planner final : public nav2_core::GlobalPlanner {
   }
 
   RobotShape robot() {
-    const auto footprint = footprint_from(costmap_->getRobotFootprint());
-    if (!footprint) {
-      throw nav2_core::PlannerException("the costmap's footprint: " + footprint.error().message);
-    }
-    const auto inflation = InflationLayer::getInflationLayer(costmap_);
-    const bool inflated = inflation && inflation->isEnabled() &&
-                          inflation->getInflationRadius() >= footprint->inscribed_radius();
-    return {*footprint, inflated};
+    const auto shape = robot_of(costmap_);
+    if (!shape) throw nav2_core::PlannerException(shape.error().message);
+    return *shape;
   }
 
   std::string name_;

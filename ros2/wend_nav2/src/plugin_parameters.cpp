@@ -67,7 +67,7 @@ std::string text_of(const rclcpp::ParameterValue& value) {
 std::string PluginParameters::fixed(const std::string& name, const std::string& default_value,
                                     const std::string& help) {
   const auto node = node_.lock();
-  const std::string full = plugin_ + '.' + name;
+  const std::string full = prefix_ + name;
   if (!node->has_parameter(full)) {
     rcl_interfaces::msg::ParameterDescriptor descriptor;
     descriptor.description = help;
@@ -81,7 +81,7 @@ wend::OptionValues PluginParameters::declare(const std::vector<wend::OptionInfo>
   const auto node = node_.lock();
   const std::lock_guard lock(mutex_);
   for (const wend::OptionInfo& option : options) {
-    const std::string full = plugin_ + '.' + option.name;
+    const std::string full = prefix_ + option.name;
     if (!node->has_parameter(full)) {
       node->declare_parameter(full, default_of(option), descriptor_of(option));
     }
@@ -120,7 +120,7 @@ wend::OptionValues PluginParameters::with(const std::vector<rclcpp::Parameter>& 
   wend::OptionValues values = values_;
   for (const rclcpp::Parameter& parameter : parameters) {
     for (auto& [name, value] : values) {
-      if (parameter.get_name() != plugin_ + '.' + name) continue;
+      if (parameter.get_name() != prefix_ + name) continue;
       value = text_of(parameter.get_parameter_value());
       touched = true;
     }

@@ -2,7 +2,8 @@
 #pragma once
 
 // PluginParameters: the parameters of a plugin, `<name>.<option>`, declared from schemas, with ranges and help. While
-// the node runs, a change that does not fit is refused, and one that does is kept for the next call of the plugin.
+// the node runs, a change that does not fit is refused, and one that does is kept for the next call of the plugin. Knows
+// no Nav2: wend_ros uses it for its node, too.
 
 #include <functional>
 #include <memory>
@@ -11,18 +12,22 @@
 #include <string>
 #include <vector>
 
-#include "nav2_types.hpp"
+#include <rclcpp/rclcpp.hpp>
+
 #include "wend/base/options.hpp"
 
 namespace wend_nav2 {
 
 class PluginParameters {
  public:
+  using NodeParameters = rclcpp::node_interfaces::NodeParametersInterface;
+
   /// What is wrong with these values, empty if nothing is.
   using Check = std::function<std::string(const wend::OptionValues&)>;
 
-  PluginParameters(Node::SharedPtr node, std::string plugin)
-      : node_(node), plugin_(std::move(plugin)) {}
+  /// Of a node; without a plugin's name, the node's own.
+  PluginParameters(const NodeParameters::SharedPtr& node, const std::string& plugin)
+      : node_(node), prefix_(plugin.empty() ? "" : plugin + '.') {}
 
   /// A parameter that is text and stays as it is while the plugin is configured.
   std::string fixed(const std::string& name, const std::string& default_value,
@@ -45,8 +50,8 @@ class PluginParameters {
   void take_change(const std::vector<rclcpp::Parameter>& parameters);
   wend::OptionValues with(const std::vector<rclcpp::Parameter>& parameters, bool& touched) const;
 
-  std::weak_ptr<Node> node_;
-  std::string plugin_;
+  std::weak_ptr<NodeParameters> node_;
+  std::string prefix_;
   Check check_;
   mutable std::mutex mutex_;  // guards what follows
   wend::OptionValues values_;

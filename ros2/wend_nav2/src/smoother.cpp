@@ -26,6 +26,7 @@
 #include "conversions.hpp"
 #include "nav2_types.hpp"
 #include "plugin_parameters.hpp"
+#include "pose_messages.hpp"
 #include "wend_nav2/path_smoother.hpp"
 
 namespace wend_nav2 {
@@ -55,7 +56,7 @@ class Smoother final : public nav2_core::Smoother {
     costmap_ = std::move(costmap);
     footprint_ = std::move(footprint);
     smoother_.emplace();
-    parameters_ = std::make_unique<PluginParameters>(node, name_);
+    parameters_ = std::make_unique<PluginParameters>(node->get_node_parameters_interface(), name_);
     const SmootherSchema of_all = smoother_schema("");
     chosen_ = parameters_->fixed(of_all.name.name, of_all.name.default_value, of_all.name.help);
     const SmootherSchema schema = smoother_schema(chosen_);

@@ -8,7 +8,7 @@
 
 #include <nav2_core/planner_exceptions.hpp>
 
-#include "../src/conversions.hpp"
+#include "../src/pose_messages.hpp"
 
 namespace wend_nav2::trials {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../src/conversions.hpp"
+#include "../src/pose_messages.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend_nav2/robot_shape.hpp"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/index/euclidean_labels/taut_labelling.hpp"
 #include "wend/index/euclidean_labels/taut_order.hpp"
 #include "wend/sight/taut_map.hpp"
@@ -135,7 +136,7 @@ void EuclideanEngine::for_each_hub(Cell cell, Visit&& visit) {
     const Place place = places_[seen.corner];
     const auto x = static_cast<double>(place.x - 2 * cell.x - 1);
     const auto y = static_cast<double>(place.y - 2 * cell.y - 1);
-    constexpr auto kHalfCell = static_cast<double>(kTautLengthUnit / 2);
+    constexpr auto kHalfCell = static_cast<double>(kTautLengthUnit) / 2;
     const auto length =
         static_cast<TautLength>(static_cast<std::int64_t>(std::sqrt(x * x + y * y) * kHalfCell));
     visit(seen.corner, length, kItself);
@@ -152,7 +153,7 @@ bool EuclideanEngine::find(Cell start, Cell goal) {
   path_.clear();
   metrics_ = {1, 1, 1};
   if (start == goal || portals_.sees(start, goal)) {
-    length_ = std::hypot(goal.x - start.x, goal.y - start.y);
+    length_ = hypotenuse(goal.x - start.x, goal.y - start.y);
     return true;
   }
   for_each_hub(start, [this](std::uint32_t hub, TautLength length, std::uint32_t entry) {

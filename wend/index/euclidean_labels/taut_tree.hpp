@@ -1,9 +1,7 @@
 #pragma once
 
-// TautTree: Dijkstra's algorithm from a corner over the edges of a TautGraph, by taut paths only.
-//
-//   wend::TautTree tree(graph);
-//   tree.spread(root, [&](const wend::TautTree::Reached& at) { return wants_more(at); });
+// TautTree: Dijkstra's algorithm from a corner over the edges of a TautGraph, by taut paths only. spread() asks at each
+// corner that it reaches whether to go on from there.
 //
 // Where a taut path is a part of a shortest path between two cells, the tree has its length. Elsewhere it may have a
 // longer path, because each corner is left only by what lies ahead of the edge by which it was reached first.

@@ -6,6 +6,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/planner/anytime_engine.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
@@ -52,7 +53,7 @@ class MotionEstimates {
     const Cell from = lattice_.cell_of(vertex);
     return least_over(goals, [&](const MotionGoal& goal) {
       const Cell cell = lattice_.cell_of(goal.vertices.nearest_in_box(vertex));
-      return std::hypot(cell.x - from.x, cell.y - from.y);
+      return hypotenuse(cell.x - from.x, cell.y - from.y);
     });
   }
 

@@ -149,6 +149,24 @@ TEST(HybridAStarFailures, AreToldApart) {
             Status::unsupported_query);
 }
 
+TEST(HybridAStarGoals, APlaceWithinTheToleranceThatIsWalledInHidesNoOther) {
+  const FreeSpace space = drawn_space(
+      "...............\n"
+      "...............\n"
+      "...............\n"
+      "...........###.\n"
+      "...........#.#.\n"
+      "...........###.\n"
+      "...............\n");
+  const auto planner = planner_on(space);
+  Goal goal(Point{12.5, 4.5});
+  EXPECT_EQ(planner->plan({{2.5, 1.5, 0}, {goal}}).error().status, Status::unreachable);
+  goal.tolerance = 4;
+  const auto plan = planner->plan({{2.5, 1.5, 0}, {goal}});
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_LE(distance(plan->path.driven_poses().back().point(), goal.point), goal.tolerance);
+}
+
 TEST(HybridAStarOptions, ACarNeedsATurningRadius) {
   const FreeSpace space = drawn_space("....\n....\n");
   const auto car = make_planner("hybrid_astar", space, {{"turning_radius", "0"}});

@@ -87,12 +87,10 @@ std::optional<Status> HybridPlanner::do_check(const Query& query) {
 std::optional<Status> HybridPlanner::take_goal(const Query& query, std::size_t index) {
   const Goal& goal = query.goals[index];
   if (goal.heading && !std::isfinite(*goal.heading)) return Status::unsupported_query;
-  auto place = place_for(goal);
+  auto place = place_for(goal, cell_at(query.start.point()));
   if (!place) {
+    if (place_for(goal)) return Status::unreachable;
     return cell_under(free_space(), goal.point) ? Status::goal_blocked : Status::goal_outside;
-  }
-  if (!ground_->connected(cell_at(query.start.point()), cell_at(place->pose.point()))) {
-    return Status::unreachable;
   }
   place->index = index;
   goals_.push_back(*place);
@@ -115,13 +113,18 @@ std::optional<double> HybridPlanner::heading_at(Point point, const Goal& goal) c
   return std::nullopt;
 }
 
-/// The nearest place to a goal, within its tolerance, where the robot fits.
-std::optional<HybridGoal> HybridPlanner::place_for(const Goal& goal) const {
+/// The nearest place to a goal, within its tolerance, where the robot fits; of those that are connected with a cell, if
+/// one is given.
+std::optional<HybridGoal> HybridPlanner::place_for(const Goal& goal,
+                                                   const std::optional<Cell>& from) const {
   if (!is_near_a_map(goal)) return std::nullopt;
+  const auto counts = [&](Point point) {
+    return !from || ground_->connected(*from, cell_at(point));
+  };
   const auto place_at = [&](Point point, double heading) {
     return HybridGoal{{point.x, point.y, heading}, !goal.heading, goal, 0};
   };
-  if (cell_under(free_space(), goal.point)) {
+  if (cell_under(free_space(), goal.point) && counts(goal.point)) {
     if (const auto heading = heading_at(goal.point, goal)) return place_at(goal.point, *heading);
   }
   std::optional<HybridGoal> nearest;
@@ -129,6 +132,7 @@ std::optional<HybridGoal> HybridPlanner::place_for(const Goal& goal) const {
     const Point point = centre_of(cell);
     if (nearest && distance(goal.point, point) >= distance(goal.point, nearest->pose.point()))
       return;
+    if (!counts(point)) return;
     if (const auto heading = heading_at(point, goal)) nearest = place_at(point, *heading);
   });
   return nearest;
@@ -196,9 +200,8 @@ std::uint64_t HybridPlanner::do_state_count() const {
 
 /// What the last run has learned, if it was of this query.
 NoDriveFound HybridPlanner::why_no_drive(const Query& query) const {
-  const auto place = place_for(query.goals.front());
-  const Cell start = cell_at(query.start.point());
-  if (place && !ground_->connected(start, cell_at(place->pose.point()))) {
+  const Goal& goal = query.goals.front();
+  if (place_for(goal) && !place_for(goal, cell_at(query.start.point()))) {
     return {NoDriveFound::Why::parted, {}};
   }
   return search_ ? search_->no_drive() : NoDriveFound{};

@@ -38,7 +38,7 @@ class HybridPlanner final : public Planner {
 
   NoDriveFound why_no_drive(const Query& query) const;
   std::optional<Status> take_goal(const Query& query, std::size_t index);
-  std::optional<HybridGoal> place_for(const Goal& goal) const;
+  std::optional<HybridGoal> place_for(const Goal& goal, const std::optional<Cell>& from = {}) const;
   std::optional<double> heading_at(Point point, const Goal& goal) const;
   void write(const Query& query, const HybridSearch& finder, Plan& out);
 

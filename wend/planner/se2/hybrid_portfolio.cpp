@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "wend/space/se2/coarse_size.hpp"
+
 namespace wend {
 namespace {
 
@@ -18,8 +20,13 @@ constexpr float kNarrowFactor = 4;
 }  // namespace
 
 HybridPortfolio::HybridPortfolio(std::shared_ptr<const HybridGround> ground,
-                                 const Steering& steering, const HybridResolution& resolution)
-    : ground_(std::move(ground)), steering_(steering), resolution_(resolution), ring_(steering_) {}
+                                 const Steering& steering, const HybridResolution& resolution,
+                                 std::uint64_t most_expansions)
+    : ground_(std::move(ground)),
+      steering_(steering),
+      resolution_(resolution),
+      most_expansions_(most_expansions),
+      ring_(steering_) {}
 
 HybridResolution HybridPortfolio::resolution_of(Kind kind) const {
   HybridResolution resolution = resolution_;
@@ -34,13 +41,27 @@ HybridResolution HybridPortfolio::resolution_of(Kind kind) const {
   return resolution;
 }
 
+/// The size of the coarse squares, in steps. Large ones are quick; where the first search finds nothing, the
+/// robot passes close to walls, and smaller ones know better how.
+double HybridPortfolio::squares_of(Kind kind) {
+  constexpr double kQuick = 1.5;
+  constexpr double kCloser = 0.75;
+  if (kind == direct) return kQuick;
+  return kind < fine ? kCloser : 1;
+}
+
 void HybridPortfolio::make(Kind kind) {
   Member& member = members_[kind];
   const FreeSpace& space = ground_->free_space();
   const HybridResolution resolution = resolution_of(kind);
-  const double most = (kind >= fine ? 1 : 1.5) * resolution.step;
-  const BitGrid& cells = kind >= fine ? ground_->drivable() : space.possible();
-  member.grid = std::make_unique<CoarseGrid>(space, cells, coarse_size(space, most));
+  const double most = squares_of(kind) * resolution.step;
+  const CoarseGrid* const alike = kind == wide ? members_[backward].grid.get() : nullptr;
+  if (alike != nullptr) {
+    member.grid = std::make_unique<CoarseGrid>(*alike);
+  } else {
+    const BitGrid& cells = kind >= fine ? ground_->drivable() : space.possible();
+    member.grid = std::make_unique<CoarseGrid>(space, cells, coarse_size(space, cells, most));
+  }
   if (kind == wide) {
     member.grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
   }
@@ -55,7 +76,7 @@ void HybridPortfolio::make(Kind kind) {
 std::optional<SearchOutcome> HybridPortfolio::stopped(const Limits& limits, double end) const {
   if (limits.cancel != nullptr && *limits.cancel) return SearchOutcome::cancelled;
   if (limits.timed() && limits.now() >= end) return SearchOutcome::time_limit;
-  if (metrics().expanded >= limits.expansions) return SearchOutcome::expansion_limit;
+  if (metrics().expanded >= limit_) return SearchOutcome::expansion_limit;
   return std::nullopt;
 }
 
@@ -71,7 +92,7 @@ SearchOutcome HybridPortfolio::run_member(Kind kind, std::uint64_t most, const L
   while (member.search->metrics().expanded - begun < most || member.search->has_path()) {
     if (const auto outcome = stopped(limits, end)) return *outcome;
     constexpr std::uint64_t kAtOnce = 64;
-    const std::uint64_t left = limits.expansions - metrics().expanded;
+    const std::uint64_t left = limit_ - metrics().expanded;
     const SearchOutcome outcome = member.search->run(std::min(kAtOnce, left));
     if (outcome != SearchOutcome::running) return outcome;
   }
@@ -132,6 +153,7 @@ void HybridPortfolio::begin(const Pose& start, std::span<const HybridGoal> goals
 SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal> goals,
                                    const Limits& limits, SearchObserver* observer) {
   begin(start, goals, observer);
+  limit_ = limits.expansions == Limits::kUnlimited ? most_expansions_ : limits.expansions;
   const bool one_pose = goals.size() == 1 && goals.front().wants_heading();
   members_[backward].exhausted = !one_pose;
   const double end = limits.timed() ? limits.now() + limits.seconds : 0;

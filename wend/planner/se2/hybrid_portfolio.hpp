@@ -8,9 +8,14 @@
 //   wide     a heuristic that avoids narrow places
 //   fine     smaller boxes and shorter motions
 //
+// All but the first have a finer heuristic, too.
+//
 // Two floods run along with them: where the goal or the start is boxed in, one of them ends soon. If a flood or all
 // four searches have ended, a last search looks for a drive between the poses of a lattice, along and across the cells.
 // If it finds none, the answer is that there is no path. A search or a flood is made when a query first needs it.
+//
+// Poses are many, and what is known of each takes memory. So a query without a limit on expansions has one: it ends
+// as expansion_limit, after some 10 s and with some 500 MB.
 
 #include <array>
 #include <cstdint>
@@ -29,8 +34,12 @@ namespace wend {
 
 class HybridPortfolio {
  public:
+  static constexpr std::uint64_t kMostExpansions = 1'000'000;
+
+  /// `most_expansions` counts for queries without a limit on expansions.
   HybridPortfolio(std::shared_ptr<const HybridGround> ground, const Steering& steering,
-                  const HybridResolution& resolution);
+                  const HybridResolution& resolution,
+                  std::uint64_t most_expansions = kMostExpansions);
 
   /// Runs the query to its end. The goals must outlive the run.
   SearchOutcome run(const Pose& start, std::span<const HybridGoal> goals, const Limits& limits,
@@ -60,6 +69,7 @@ class HybridPortfolio {
 
   void make(Kind kind);
   HybridResolution resolution_of(Kind kind) const;
+  static double squares_of(Kind kind);
   std::optional<SearchOutcome> stopped(const Limits& limits, double end) const;
   SearchOutcome run_member(Kind kind, std::uint64_t most, const Limits& limits, double end);
   std::optional<SearchOutcome> take_turn(Kind kind, std::uint64_t most, const Limits& limits,
@@ -73,6 +83,8 @@ class HybridPortfolio {
   std::shared_ptr<const HybridGround> ground_;
   Steering steering_;
   HybridResolution resolution_;
+  std::uint64_t most_expansions_;  // without a limit
+  std::uint64_t limit_ = 0;        // of the query
   GoalRing ring_;
   std::unique_ptr<LatticeMotions> lattice_;
   std::array<Member, kKinds> members_;

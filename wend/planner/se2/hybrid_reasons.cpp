@@ -6,6 +6,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/robot/contact.hpp"
 
 namespace wend {
@@ -64,7 +65,7 @@ bool is_too_large(const FreeSpace& space) {
   const double narrow = std::min(space.width(), space.height());
   if (2 * space.inscribed_radius_in_cells() > narrow) return true;
   return space.outline() != nullptr &&
-         longest_distance(*space.outline()) > std::hypot(space.width(), space.height());
+         longest_distance(*space.outline()) > hypotenuse(space.width(), space.height());
 }
 
 std::string too_large(const FreeSpace& space) {

@@ -8,6 +8,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/segment.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -74,7 +75,7 @@ LatticeStep step_of(const FreeSpace& space, const MotionPrimitive& primitive, in
 std::string MotionLattice::why_none(const FreeSpace& space, const MotionPrimitives& primitives) {
   const GridMap& map = space.map();
   // Such a robot would sweep the whole map with each step, and more cells than can be listed.
-  if (space.radius_in_cells() > std::hypot(map.width(), map.height())) {
+  if (space.radius_in_cells() > hypotenuse(map.width(), map.height())) {
     return "the robot, with a radius of " + format_number(space.radius_in_cells()) +
            " cells, is larger than the map of " + std::to_string(map.width()) + " x " +
            std::to_string(map.height()) + " cells";
@@ -113,7 +114,7 @@ MotionLattice::MotionLattice(const FreeSpace& space, const MotionPrimitives& pri
     for (const MotionPrimitive& primitive : primitives.leaving(static_cast<int>(heading))) {
       data.steps.push_back(step_of(space, primitive, unit, costs));
       const LatticeStep& step = data.steps.back();
-      const double leads = unit * std::hypot(step.by.x, step.by.y);
+      const double leads = unit * hypotenuse(step.by.x, step.by.y);
       if (leads > 0) {
         data.least_cost_per_cell = std::min(data.least_cost_per_cell, step.cost / leads);
       }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <numbers>
 
+#include "wend/map/row_bits.hpp"
 #include "wend/space/se2/motion_check.hpp"
 
 namespace wend {
@@ -16,6 +17,14 @@ constexpr double kHalfDiagonal = std::numbers::sqrt2 / 2;
 std::uint32_t threshold_of(double squared) {
   constexpr double kMost = 4e9;
   return static_cast<std::uint32_t>(std::ceil(std::min(squared, kMost)));
+}
+
+/// Lowers a multiplier to the least of some cells, the bits of a row from a cell on.
+void take_multipliers(const FreeSpace& space, Cell first, std::uint64_t cells, float& least) {
+  for (; cells != 0 && least > 1; cells &= cells - 1) {
+    const Cell cell{first.x + std::countr_zero(cells), first.y};
+    least = std::min(least, static_cast<float>(driving_multiplier(space, cell)));
+  }
 }
 
 /// Calls visit(x) for the set bits of a row.
@@ -52,13 +61,6 @@ BitGrid cells_to_drive_in(const FreeSpace& space) {
   return cells;
 }
 
-int coarse_size(const FreeSpace& space, double most) {
-  // A wall is as thick as the cells of a line through it that are closed for the robot.
-  const double wall = 2 * (space.inscribed_radius_in_cells() - kHalfDiagonal) + 1;
-  const double thickest = std::min(wall / std::numbers::sqrt2, most);
-  return std::max(1, static_cast<int>(std::lround(thickest)));
-}
-
 CoarseGrid::CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size)
     : size_(size), stride_(static_cast<std::size_t>((space.width() + size - 1) / size) + 2) {
   const auto rows = static_cast<std::size_t>((space.height() + size - 1) / size) + 2;
@@ -68,21 +70,22 @@ CoarseGrid::CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size
 }
 
 void CoarseGrid::take_row(const FreeSpace& space, const BitGrid& drivable, int y) {
+  const auto row = drivable.row_words(y);
   const bool last_row = y % size_ == size_ - 1 && y + 1 < space.height();
-  const std::size_t first = index(0, y / size_);
-  for_each_cell(drivable.row_words(y), [&](int x) {
-    const std::size_t square = first + static_cast<std::size_t>(x / size_);
-    const auto multiplier = static_cast<float>(driving_multiplier(space, {x, y}));
-    multipliers_[square] = std::min(multipliers_[square], multiplier);
-    if (x % size_ == size_ - 1 && drivable[{x + 1, y}]) {
+  std::size_t square = index(0, y / size_);
+  for (int x = 0; x < space.width(); x += size_, ++square) {
+    const std::uint64_t cells = row_bits(row, x, size_);
+    if (cells == 0) continue;
+    take_multipliers(space, {x, y}, cells, multipliers_[square]);
+    if ((cells >> (size_ - 1)) != 0 && row_bits(row, x + size_, 1) != 0) {
       sides_[square] |= kRight;
       sides_[square + 1] |= kLeft;
     }
-    if (last_row && drivable[{x, y + 1}]) {
+    if (last_row && (cells & row_bits(drivable.row_words(y + 1), x, size_)) != 0) {
       sides_[square] |= kAbove;
       sides_[square + stride_] |= kBelow;
     }
-  });
+  }
 }
 
 void CoarseGrid::charge_narrow_squares(const FreeSpace& space, double room, float factor) {
@@ -90,12 +93,14 @@ void CoarseGrid::charge_narrow_squares(const FreeSpace& space, double room, floa
   const auto threshold = threshold_of(4 * least * least);
   std::vector<bool> wide(count(), false);
   for (int y = 0; y < space.height(); ++y) {
-    for_each_cell(space.possible().row_words(y), [&](int x) {
-      const std::size_t square = index(x / size_, y / size_);
-      if (wide[square]) return;
-      const std::uint32_t clear = space.squared_half_cell_clearance(Cell{x, y}, threshold);
-      wide[square] = clear >= threshold;
-    });
+    const auto row = space.possible().row_words(y);
+    std::size_t square = index(0, y / size_);
+    for (int x = 0; x < space.width(); x += size_, ++square) {
+      for (auto cells = row_bits(row, x, size_); cells != 0 && !wide[square]; cells &= cells - 1) {
+        const Cell cell{x + std::countr_zero(cells), y};
+        wide[square] = space.squared_half_cell_clearance(cell, threshold) >= threshold;
+      }
+    }
   }
   for (std::size_t i = 0; i < count(); ++i) {
     if (!wide[i]) multipliers_[i] *= factor;

@@ -23,11 +23,10 @@ namespace wend {
 /// robot can drive between are connected by common edges. O(cells / 64 + cells near obstacles).
 BitGrid cells_to_drive_in(const FreeSpace& space);
 
-/// The largest size of a square, in cells, for which no wall is lost, and at most `most`.
-int coarse_size(const FreeSpace& space, double most);
-
 class CoarseGrid {
  public:
+  static constexpr int kMostSize = 63;  // cells
+
   /// `size` is that of a square, in cells. O(cells).
   CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size);
 
