@@ -18,7 +18,7 @@ export class Camera {
 
   /** Shows the whole map in a view of this size. */
   fit(map: { width: number; height: number }, width: number, height: number): void {
-    const margin = 14;  // pixels: the marks of ends on the border of a map are seen whole
+    const margin = 12;
     const zoom = Math.min((width - 2 * margin) / map.width, (height - 2 * margin) / map.height);
     // Whole pixels a cell where there are some, so that all cells look alike.
     this.zoom = clamp(zoom >= 4 ? Math.floor(zoom) : zoom, leastZoom, 48);

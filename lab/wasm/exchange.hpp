@@ -30,7 +30,9 @@ inline std::string& output() {
   return text;
 }
 
-inline const std::uint8_t* input_bytes() { return reinterpret_cast<const std::uint8_t*>(input().data()); }
+inline const std::uint8_t* input_bytes() {
+  return reinterpret_cast<const std::uint8_t*>(input().data());
+}
 
 inline std::string_view input_text(std::size_t from, std::size_t size) {
   return {reinterpret_cast<const char*>(input().data()) + from, size};
