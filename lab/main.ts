@@ -10,8 +10,8 @@ function keepOffline(): void {
 }
 
 async function begin(): Promise<void> {
-  const { program, registry } = await load();
-  await (document.querySelector('wend-lab-page') as App).begin(program, registry, location.hash.slice(1));
+  const programs = await load();
+  await (document.querySelector('wend-lab-page') as App).begin(programs, location.hash.slice(1));
 }
 
 void begin().then(keepOffline);

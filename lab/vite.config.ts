@@ -10,7 +10,7 @@ export default defineConfig(({ mode }) => ({
     target: 'es2022',
     modulePreload: { polyfill: false },
     assetsInlineLimit: 0,
-    rollupOptions: mode === 'file' ? {} : {
+    rollupOptions: mode === 'file' ? { output: { inlineDynamicImports: true } } : {
       input: { index: 'index.html', embed: 'embed.ts' },
       output: { entryFileNames: ({ name }) => (name === 'embed' ? 'embed.js' : 'assets/[name]-[hash].js') },
     },

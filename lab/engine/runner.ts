@@ -4,6 +4,7 @@
 import { specOf, type Choice, type State } from '../store/state';
 import type { Stroke } from '../store/store';
 import { Engine, type Program } from './engine';
+import { needsOf, type Needs, type Programs } from './program';
 import type { Failure, Layer, Outcome, Places, Range } from './types';
 
 /** A search that is longer than this while ends are dragged is not written down before they are let go. */
@@ -18,6 +19,10 @@ export class Runner {
   /** Counts answers: who draws it compares. */
   version = 0;
 
+  /** The module of its engine. */
+  program: Program;
+
+  private over = false;
   private map: Uint8Array | null = null;
   private pending: Stroke[] = [];
   private footprint = 'point';
@@ -25,8 +30,9 @@ export class Runner {
   private lastRecording = 0;
   private lastSearch = 0;
 
-  constructor(private readonly program: Program, private readonly changed: (runner: Runner) => void) {
-    this.engine = new Engine(program);
+  constructor(private readonly programs: Programs, private readonly changed: (runner: Runner) => void) {
+    this.program = programs.first;
+    this.engine = new Engine(this.program);
   }
 
   /** Cells that changed; for the next request. */
@@ -48,15 +54,30 @@ export class Runner {
   /** Ends a search that takes too long. */
   stop(): void {
     if (!this.busy) return;
+    this.begin(this.program);
+  }
+
+  end(): void {
+    this.over = true;
+    this.wanted = null;
     this.engine.end();
-    this.engine = new Engine(this.program);
+  }
+
+  /** Another engine in place of this one. */
+  private begin(program: Program): void {
+    this.engine.end();
+    this.program = program;
+    this.engine = new Engine(program);
     this.map = null;
     this.footprint = 'point';
   }
 
-  end(): void {
-    this.wanted = null;
-    this.engine.end();
+  /** Changes to the whole module where the first one has not what is needed. */
+  private async equip(needs: Needs): Promise<void> {
+    if (this.programs.has(this.program, needs)) return;
+    const program = await this.programs.that(needs);
+    if (this.over) throw new Error('stopped');
+    this.begin(program);
   }
 
   private async work(): Promise<void> {
@@ -68,7 +89,7 @@ export class Runner {
         await this.plan(state, choice, dragging);
       } catch (fault) {
         this.outcome = null;
-        this.failure = { status: 'cancelled', error: String(fault) };
+        this.failure = { status: 'cancelled', error: fault instanceof Error ? fault.message : String(fault) };
       }
       ++this.version;
       this.changed(this);
@@ -78,6 +99,7 @@ export class Runner {
   }
 
   private async plan(state: State, choice: Choice, dragging: boolean): Promise<void> {
+    await this.equip(needsOf(state, choice));
     const painting = dragging && this.pending.length > 0;
     const fault = await this.take(state);
     // A brush does not wait for searches: the next one comes when it is let go.

@@ -3,7 +3,8 @@
 import type { Clock } from '../store/clock';
 import type { State } from '../store/state';
 import type { Stroke } from '../store/store';
-import { Engine, type Program } from './engine';
+import { Engine } from './engine';
+import { needsOf, type Programs } from './program';
 import { Runner } from './runner';
 import type { Planning } from './sampling';
 import type { Layer, MapInfo, Failure } from './types';
@@ -13,7 +14,7 @@ export class Searches {
   readonly runners: Runner[] = [];
 
   constructor(
-    private readonly program: Program, private readonly clock: Clock,
+    private readonly programs: Programs, private readonly clock: Clock,
     /** A search has ended; `all` if none is left. */
     private readonly changed: (all: boolean) => void,
   ) {}
@@ -24,8 +25,11 @@ export class Searches {
     this.resize(state.runs.length);
     const all = state.map !== before.map || state.start !== before.start || state.goal !== before.goal ||
       state.footprint !== before.footprint || state.smoother !== before.smoother || state.headings !== before.headings;
+    const asksMore = state.following !== before.following || state.widest !== before.widest;
     state.runs.forEach((run, i) => {
-      if (all || run !== before.runs[i]) this.runners[i]!.request(state, run, dragging);
+      const runner = this.runners[i]!;
+      const lacks = asksMore && (runner.failure !== null || !this.programs.has(runner.program, needsOf(state, run)));
+      if (all || lacks || run !== before.runs[i]) runner.request(state, run, dragging);
     });
   }
 
@@ -85,17 +89,21 @@ export class Searches {
 
   /** A map of a recipe, made beside the searches. */
   async make(recipe: Recipe): Promise<{ info: MapInfo; cells: Uint8Array } | Failure> {
-    const maker = new Runner(this.program, () => undefined).engine;
-    const spec = specOf(recipe.generator, recipe.options);
-    const info = await maker.call('generate', spec, recipe.width, recipe.height, recipe.seed);
-    const made = 'error' in info ? info : { info, cells: await maker.call('cells') };
-    maker.end();
-    return made;
+    try {
+      const maker = new Engine(await this.programs.that({ generator: recipe.generator }));
+      const spec = specOf(recipe.generator, recipe.options);
+      const info = await maker.call('generate', spec, recipe.width, recipe.height, recipe.seed);
+      const made = 'error' in info ? info : { info, cells: await maker.call('cells') };
+      maker.end();
+      return made;
+    } catch (fault) {
+      return { status: 'cancelled', error: (fault as Error).message };
+    }
   }
 
   /** The cells that a search expands, in order, made beside the others; null if it cannot be made. */
   async tryOut(state: State, choice: Choice): Promise<Uint32Array | null> {
-    const runner = new Runner(this.program, () => undefined);
+    const runner = new Runner(this.programs, () => undefined);
     await runner.search(state, choice);
     const order = runner.outcome ? await runner.engine.call('expansions') : null;
     runner.end();
@@ -104,8 +112,11 @@ export class Searches {
 
   /** Engines in workers of their own, for other work than the page's searches. */
   helpers(count: number): { planning: Planning; end(): void }[] {
+    // The planners of the page: where one is not in the first module, its runner has the whole one.
+    const { first } = this.programs;
+    const program = this.runners.map((runner) => runner.program).find((each) => each !== first) ?? first;
     return Array.from({ length: count }, () => {
-      const engine = new Engine(this.program);
+      const engine = new Engine(program);
       return {
         planning: {
           load: (...args) => engine.call('load', ...args), robot: (...args) => engine.call('robot', ...args),
@@ -118,7 +129,7 @@ export class Searches {
 
   private resize(count: number): void {
     while (this.runners.length < count) {
-      this.runners.push(new Runner(this.program, () => this.changed(!this.busy)));
+      this.runners.push(new Runner(this.programs, () => this.changed(!this.busy)));
     }
     for (const runner of this.runners.splice(count)) runner.end();
   }

@@ -18,10 +18,6 @@ export interface PlannerInfo {
   guarantee: string;
   guaranteeText: string;
   when: string;
-  time: string;
-  memory: string;
-  costName: string;
-  motion: string;
   terrain: string;
   headings: boolean;
   canStep: boolean;

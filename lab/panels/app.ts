@@ -1,8 +1,8 @@
 // <wend-lab-page>: the page: wires the store, the clock, the searches, the views and the panels.
 
 import { html, LitElement, nothing } from 'lit';
-import type { Program } from '../engine/engine';
 import { Extras } from '../engine/extras';
+import type { Programs } from '../engine/program';
 import { Searches } from '../engine/searches';
 import type { Failure, Layer, Registry } from '../engine/types';
 import type { ScenarioQuery } from '../formats/moving_ai';
@@ -27,7 +27,7 @@ import { panelStyle } from './style';
 import { theme } from './theme';
 import './tools_panel';
 import './transport';
-import { outcomeInWords } from './words';
+import { number, outcomeInWords } from './words';
 
 export class App extends LitElement implements Actions {
   static override styles = [panelStyle, theme, appStyle];
@@ -51,10 +51,11 @@ export class App extends LitElement implements Actions {
   private lesson!: Lesson;
   private drawn = 0;
 
-  /** Begins with a compiled engine, its registry, and the text of a link. */
-  async begin(program: Program, registry: Registry, link: string): Promise<void> {
+  /** Begins with the compiled engine, and the text of a link. */
+  async begin(programs: Programs, link: string): Promise<void> {
+    const { registry } = programs;
     this.registry = registry;
-    this.searches = new Searches(program, this.clock, (all) => this.answered(all));
+    this.searches = new Searches(programs, this.clock, (all) => this.answered(all));
     this.lesson = new Lesson(this.store, this.clock, () => this.searches, registry, (message) => this.say(message));
     this.extras = new Extras(this.searches, this.clock, () => this.requestUpdate());
     this.extras.clock.listen(() => this.refreshViews());
@@ -108,7 +109,7 @@ export class App extends LitElement implements Actions {
     const { failure, outcome } = this.searches.runners[i]!;
     const reason = failure?.error ?? outcome?.message;
     return html`<figure>
-      ${many ? html`<figcaption>${run.planner}</figcaption>` : nothing}
+      ${many ? html`<figcaption>${run.planner}${outcome?.cost === undefined ? nothing : html`<span>${number(outcome.cost)}, ${number(outcome.expanded)} expanded</span>`}</figcaption>` : nothing}
       ${reason ? html`<p class="reason">${reason}.</p>` : nothing}
       <lab-map .store=${this.store} .clock=${this.clock} .runner=${this.searches.runners[i]!} .camera=${this.camera}
         .headings=${this.turns(run.planner)} .extras=${i === 0 ? this.extras : null}

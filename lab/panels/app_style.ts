@@ -13,6 +13,7 @@ export const appStyle = css`
   figure { margin: 0; display: grid; grid-template-rows: 1fr; position: relative; min-width: 0; min-height: 0; background: var(--map); }
   figcaption { position: absolute; z-index: 1; left: 0.6rem; top: 0.5rem; padding: 0.1rem 0.5rem; border-radius: 4px;
     font-size: 0.8125rem; background: var(--page); color: var(--ink); pointer-events: none; }
+  figcaption span { margin-left: 0.4rem; color: var(--faint); font-variant-numeric: tabular-nums; }
   .reason { position: absolute; z-index: 1; left: 0.75rem; right: 0.75rem; bottom: 0.75rem; padding: 0.5rem 0.75rem; border-radius: 6px;
     border-left: 4px solid var(--current); background: var(--page); color: var(--ink); pointer-events: none; }
   .space { flex: 1; }
@@ -23,9 +24,13 @@ export const appStyle = css`
   @media (max-width: 760px) {
     :host { height: auto; min-height: 100dvh; }
     main { grid-template-columns: 1fr; }
-    .views { height: 56dvh; }
+    .views { height: 46dvh; }
+    .views[data-count='3'], .views[data-count='4'] { height: 56dvh; }
+    figcaption span { display: none; }
     aside { border-left: 0; border-top: 1px solid var(--line); overflow: visible; }
     footer { position: sticky; bottom: 0; background: var(--page); }
     header { gap: 0.6rem; padding: 0.5rem 0.75rem; }
+    /* The title and the link in one row, the tools below. */
+    lab-tools { order: 1; flex-basis: 100%; }
   }
 `;

@@ -82,10 +82,11 @@ export class Embed extends LitElement {
     if (this.begun) return;
     this.begun = true;
     this.observer.disconnect();
-    const { program, registry } = await load();
+    const programs = await load();
+    const { registry } = programs;
     const linked = readLink(this.link || 'map=rooms', registry);
     if (typeof linked === 'string') return this.say(`${linked}.`);
-    this.searches = new Searches(program, this.clock, (all) => this.answered(all));
+    this.searches = new Searches(programs, this.clock, (all) => this.answered(all));
     this.step = linked.step;
     const change = await fromLink(linked, registry, (recipe) => this.searches!.make(recipe));
     if ('error' in change) return this.say(`${(change as Failure).error}.`);

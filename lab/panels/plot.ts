@@ -1,7 +1,7 @@
 // <lab-plot>: lines or dots by uPlot, in the colours of the page.
 
 import { css, html, LitElement, unsafeCSS } from 'lit';
-import uPlot from 'uplot';
+import type uPlot from 'uplot';
 import plotStyle from 'uplot/dist/uPlot.min.css?inline';
 import { dark, light } from '../view/palette';
 import { panelStyle } from './style';
@@ -47,13 +47,20 @@ export class PlotView extends LitElement {
   }
 
   override updated(): void {
+    void this.draw();
+  }
+
+  private async draw(): Promise<void> {
+    // With the first chart, not with the page.
+    const { default: Chart } = await import('uplot');
+    if (!this.isConnected) return;
     const place = this.renderRoot.querySelector<HTMLElement>('.place')!;
     this.drawn?.destroy();
     place.replaceChildren();
-    this.drawn = new uPlot(this.options(Math.max(place.clientWidth, 200)), this.plot.data as uPlot.AlignedData, place);
+    this.drawn = new Chart(this.options(Math.max(place.clientWidth, 200), Chart), this.plot.data as uPlot.AlignedData, place);
   }
 
-  private options(width: number): uPlot.Options {
+  private options(width: number, Chart: typeof uPlot): uPlot.Options {
     const { names, across, up, dots, logarithmic, steps } = this.plot;
     const colours = this.scheme.matches ? dark : light;
     const strokes = [colours.path, colours.goal, colours.start, colours.current];
@@ -67,7 +74,7 @@ export class PlotView extends LitElement {
       axes: [{ ...axis(across), size: 30 }, axis(up)],
       series: [{ label: across }, ...names.map((label, i): uPlot.Series => ({
         label, stroke: strokes[i % strokes.length]!, width: 1.5, points: { show: dots, size: 4, fill: strokes[i % strokes.length]! },
-        ...(dots ? { paths: () => null } : steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
+        ...(dots ? { paths: () => null } : steps ? { paths: Chart.paths.stepped!({ align: 1 }) } : {}),
       }))],
     };
   }

@@ -24,7 +24,8 @@ export class Transport extends LitElement {
     @media (max-width: 760px) {
       :host { flex-wrap: wrap; }
       input { order: -2; flex-basis: 100%; }
-      .count { order: -1; flex-basis: 100%; }
+      .count { order: -1; flex: 1 0 calc(100% - 9rem); }
+      label { order: -1; flex: 0 1 8rem; }
       button { flex: 1 1 2.2rem; min-width: 2.2rem; padding: 0.35rem; }
       .play { flex-grow: 2; min-width: 4rem; }
     }

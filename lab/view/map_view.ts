@@ -127,7 +127,7 @@ export class MapView extends LitElement implements Ground {
     if (cell?.x === this.cursor?.x && cell?.y === this.cursor?.y && keyboard === this.keyboard) return;
     this.cursor = cell;
     this.keyboard = keyboard;
-    void this.ask();
+    this.ask().catch(unlessEnded);
   }
 
   private async ask(): Promise<void> {
@@ -151,7 +151,7 @@ export class MapView extends LitElement implements Ground {
     if (!this.cursor || this.dragging) return;
     const otherMap = this.infoCells !== this.store.state.map?.cells;
     if (otherMap) this.info = null;
-    if (otherMap || this.infoVersion !== this.runner.version) void this.ask();
+    if (otherMap || this.infoVersion !== this.runner.version) this.ask().catch(unlessEnded);
   }
 
   private canvases(): [HTMLCanvasElement, HTMLCanvasElement] | null {
@@ -185,7 +185,7 @@ export class MapView extends LitElement implements Ground {
     if (this.paletteOf !== this.colours || this.paletteEngine !== this.runner.engine) {
       this.paletteOf = this.colours;
       this.paletteEngine = this.runner.engine;
-      void this.runner.engine.call('setPalette', paletteOf(this.colours));
+      this.runner.engine.call('setPalette', paletteOf(this.colours)).catch(unlessEnded);
     }
     this.askAgain();
     const ratio = Math.min(devicePixelRatio, 2);
@@ -275,6 +275,9 @@ export class MapView extends LitElement implements Ground {
     if (this.hand.key(event)) event.preventDefault();
   }
 }
+
+/** An engine that was ended does not answer: the one in its place is asked again. */
+const unlessEnded = () => undefined;
 
 function same(one: Window, other: Window): boolean {
   return one.width === other.width && one.height === other.height && one.left === other.left && one.top === other.top && one.cells === other.cells;

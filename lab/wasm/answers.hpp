@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "lab/wasm/replay.hpp"
+#include "lab/wasm/painting/replay.hpp"
 #include "wend/base/error.hpp"
 #include "wend/path/path.hpp"
 #include "wend/session/plan_request.hpp"

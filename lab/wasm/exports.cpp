@@ -1,43 +1,15 @@
-// What the page calls. Text and arrays go in through a buffer; JSON and arrays come out as an address and a size.
-// One Lab for each instance of the module, and so for each worker.
+// What the page calls, of both modules.
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "lab/wasm/lab.hpp"
-#include "lab/wasm/registry_text.hpp"
-
-#define WEND_LAB_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+#include "lab/wasm/exchange.hpp"
 
 namespace {
 
 using wend::lab::CellByte;
-using wend::lab::Lab;
-
-Lab& lab() {
-  static Lab the_lab;
-  return the_lab;
-}
-
-std::vector<std::uint64_t>& input() {  // aligned for every type that comes in
-  static std::vector<std::uint64_t> buffer;
-  return buffer;
-}
-
-std::string& output() {
-  static std::string text;
-  return text;
-}
-
-const std::uint8_t* input_bytes() { return reinterpret_cast<const std::uint8_t*>(input().data()); }
-
-std::string_view input_text(std::size_t from, std::size_t size) {
-  return {reinterpret_cast<const char*>(input().data()) + from, size};
-}
+using wend::lab::input;
+using wend::lab::input_bytes;
+using wend::lab::input_text;
+using wend::lab::lab;
+using wend::lab::output;
 
 }  // namespace
 
@@ -47,8 +19,6 @@ WEND_LAB_EXPORT(input) void* lab_input(std::size_t bytes) {
 }
 WEND_LAB_EXPORT(text) const char* lab_text() { return output().data(); }
 WEND_LAB_EXPORT(text_size) std::size_t lab_text_size() { return output().size(); }
-
-WEND_LAB_EXPORT(registry) void lab_registry() { output() = wend::lab::registry_text(); }
 
 WEND_LAB_EXPORT(load)
 void lab_load(int width, int height, double resolution, double origin_x, double origin_y,
@@ -94,20 +64,6 @@ void lab_places(double start_x, double start_y, double start_heading, double goa
                 double goal_heading, bool headings) {
   output() =
       lab().places({start_x, start_y, start_heading}, {goal_x, goal_y, goal_heading}, headings);
-}
-
-WEND_LAB_EXPORT(widest)
-void lab_widest(double start_x, double start_y, double goal_x, double goal_y) {
-  output() = lab().widest({start_x, start_y}, {goal_x, goal_y});
-}
-
-/// The input has the controller, then the robot, then the simulation.
-WEND_LAB_EXPORT(drive)
-void lab_drive(std::size_t controller, std::size_t robot, std::size_t simulation) {
-  const std::string names(input_text(0, controller + robot + simulation));
-  const std::string_view text(names);
-  output() = lab().drive(text.substr(0, controller), text.substr(controller, robot),
-                         text.substr(controller + robot));
 }
 
 WEND_LAB_EXPORT(cell) void lab_cell(int x, int y) { output() = lab().cell({x, y}); }

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "lab/wasm/answers.hpp"
-#include "lab/wasm/painter.hpp"
-#include "lab/wasm/pyramid.hpp"
-#include "lab/wasm/replay.hpp"
+#include "lab/wasm/painting/painter.hpp"
+#include "lab/wasm/painting/pyramid.hpp"
+#include "lab/wasm/painting/replay.hpp"
 #include "wend/path/path.hpp"
 #include "wend/session/session.hpp"
 

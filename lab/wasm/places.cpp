@@ -1,12 +1,10 @@
-// Lab::places() and Lab::widest(): where the robot fits, and how large it may be.
+// Lab::places(): where the robot fits.
 
 #include <array>
-#include <cmath>
 
 #include "lab/wasm/answers.hpp"
 #include "lab/wasm/json.hpp"
 #include "lab/wasm/lab.hpp"
-#include "wend/analysis/widest_path.hpp"
 #include "wend/session/nearest_ends.hpp"
 
 namespace wend::lab {
@@ -35,27 +33,6 @@ std::string Lab::places(const Pose& start, const Pose& goal, bool headings) cons
     json.object().field("x", end.x).field("y", end.y).field("heading", end.heading).end_object();
   }
   return json.end_object().text();
-}
-
-std::string Lab::widest(Point start, Point goal) {
-  const auto view = session_.view();
-  if (!view) return error_text(view.error());
-  const FreeSpace& space = view->space;
-  if (!space.contains(cell_at(start)) || !space.contains(cell_at(goal))) {
-    return error_text({Status::invalid_map, "the start or the goal is not on the map"});
-  }
-  points_.clear();
-  const auto found = widest_path(space, cell_at(start), cell_at(goal), moves_);
-  if (!found) return Json().object().field("joined", false).end_object().text();
-  put(found->path);
-  return Json()
-      .object()
-      .field("joined", true)
-      .field("radius", found->radius)
-      .field("x", found->narrowest.x)
-      .field("y", found->narrowest.y)
-      .end_object()
-      .text();
 }
 
 }  // namespace wend::lab

@@ -77,7 +77,7 @@ TEST(Follower, HasNothingToDoBeforeItFollows) {
 
 TEST(Follower, KeepsToLimitsThatChangeOnTheWay) {
   const auto controller = made_controller("pure_pursuit");
-  TestRobot robot{Follower(*controller)};
+  TestRobot robot{.follower = Follower(*controller), .model = {.limits = {.speed = 1}}};
   robot.follower.follow(route_through({{0, 0}, {20, 0}}));
   while (robot.state.pose.x < 5) robot.step();
   EXPECT_NEAR(robot.state.velocity.linear, 0.5, 1e-9);

@@ -9,24 +9,11 @@
 #include <memory>
 #include <vector>
 
+#include "tests/testing/random_cells.hpp"
 #include "wend/base/random.hpp"
 
 namespace wend {
 namespace {
-
-BitGrid random_ground(Random& random) {
-  const int width = random.between(1, 40);
-  const int height = random.between(1, 40);
-  BitGrid cells(width, height);
-  const double share = 0.5 + 0.5 * random.uniform();
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const bool is_free = random.chance(share);
-      cells.set({x, y}, is_free);
-    }
-  }
-  return cells;
-}
 
 std::shared_ptr<const Portals> portals_of(const BitGrid& free, bool gaps) {
   const auto any = [](Cell, Cell) { return true; };
@@ -38,7 +25,7 @@ TEST(TautMap, TellsTheCornersThatASweepFinds) {
   for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const BitGrid free = random_ground(random);
+    const BitGrid free = test::random_cells(random, 40, 0.5);
     const bool gaps = random.chance(0.5);
     const auto portals = portals_of(free, gaps);
     const auto map = TautMap::make(portals, TautMap::usual_most_bytes(*portals));
@@ -62,7 +49,7 @@ TEST(TautMap, KnowsTheEdgesThatAGraphLearns) {
   for (std::uint64_t seed = 1; seed <= 100 && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const auto portals = portals_of(random_ground(random), random.chance(0.5));
+    const auto portals = portals_of(test::random_cells(random, 40, 0.5), random.chance(0.5));
     const auto map = TautMap::make(portals, TautMap::usual_most_bytes(*portals));
     ASSERT_NE(map, nullptr);
     TautGraph graph(portals);
@@ -82,7 +69,7 @@ TEST(TautMap, KnowsTheEdgesThatAGraphLearns) {
 
 TEST(TautMapMaking, StopsWhenToldToAndGoesOnToTheSameMap) {
   Random random(3);
-  const auto portals = portals_of(random_ground(random), false);
+  const auto portals = portals_of(test::random_cells(random, 40, 0.5), false);
   const auto corners = portals->corners().size();
   ASSERT_GT(corners, 20U);
   TautMapMaking making(portals, TautMap::usual_most_bytes(*portals));

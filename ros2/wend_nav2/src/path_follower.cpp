@@ -137,7 +137,7 @@ wend::Expected<wend::Velocity, ControlFailure> PathFollower::command(const Contr
     if (follower_) follower_->set_velocity(told_);
   }
   const wend::Velocity before = std::exchange(told_, {});
-  const auto want = wanted(moment);
+  auto want = wanted(moment);
   if (!want) return want;
   const auto free = space(moment.robot);
   if (!free) return wend::Unexpected<ControlFailure>(free.error());

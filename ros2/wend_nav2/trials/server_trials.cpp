@@ -92,6 +92,15 @@ struct Answer {
 };
 
 class Client {
+  template <class Future>
+  auto wait(Future future, std::chrono::seconds limit) {
+    if (rclcpp::spin_until_future_complete(node_, future, limit) !=
+        rclcpp::FutureReturnCode::SUCCESS) {
+      throw std::runtime_error("no answer");
+    }
+    return future.get();
+  }
+
  public:
   Client() : node_(std::make_shared<rclcpp::Node>("server_trials")) {}
 
@@ -124,15 +133,6 @@ class Client {
   }
 
  private:
-  template <class Future>
-  auto wait(Future future, std::chrono::seconds limit) {
-    if (rclcpp::spin_until_future_complete(node_, future, limit) !=
-        rclcpp::FutureReturnCode::SUCCESS) {
-      throw std::runtime_error("no answer");
-    }
-    return future.get();
-  }
-
   rclcpp::Node::SharedPtr node_;
 };
 

@@ -13,6 +13,7 @@
 
 #include "conformance/random_map.hpp"
 #include "conformance/visibility.hpp"
+#include "tests/testing/random_cells.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 
@@ -22,20 +23,6 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr double kRelative = 1e-9;
-
-BitGrid random_floor(Random& random, int longest) {
-  const int width = random.between(1, longest);
-  const int height = random.between(1, longest);
-  BitGrid cells(width, height);
-  const double share = 0.4 + 0.6 * random.uniform();
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const bool is_free = random.chance(share);
-      cells.set({x, y}, is_free);
-    }
-  }
-  return cells;
-}
 
 IndexBytes built(const BitGrid& free) {
   auto index = build_euclidean_index(free, {});
@@ -118,7 +105,7 @@ int expect_shortest_labels_on_maps(std::uint64_t first, std::uint64_t count) {
   int queries = 0;
   for (std::uint64_t seed = first; seed < first + count && !::testing::Test::HasFailure(); ++seed) {
     Random random(seed);
-    const BitGrid free = random_floor(random, seed % 10 == 0 ? 24 : 8);
+    const BitGrid free = test::random_cells(random, seed % 10 == 0 ? 24 : 8, 0.4);
     queries += expect_shortest_labels(free, 3, seed);
   }
   return queries;

@@ -13,6 +13,7 @@
 
 #include "conformance/random_map.hpp"
 #include "conformance/visibility.hpp"
+#include "tests/testing/random_cells.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/path/path_collision.hpp"
@@ -94,20 +95,6 @@ BitGrid cells_of(int width, int height, std::uint64_t bits) {
   return cells;
 }
 
-BitGrid random_free(Random& random, int longest) {
-  const int width = random.between(1, longest);
-  const int height = random.between(1, longest);
-  BitGrid cells(width, height);
-  const double share = 0.4 + 0.6 * random.uniform();
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const bool is_free = random.chance(share);
-      cells.set({x, y}, is_free);
-    }
-  }
-  return cells;
-}
-
 CornerRule random_rule(Random& random) {
   const int number = random.between(0, 3);
   return number == 0 ? CornerRule::none : number == 1 ? CornerRule::one : CornerRule::both;
@@ -118,7 +105,7 @@ int expect_shortest_on_random_maps(std::uint64_t first, std::uint64_t count) {
   for (std::uint64_t seed = first; seed < first + count && !::testing::Test::HasFailure(); ++seed) {
     Random random(seed);
     const int longest = seed % 10 == 0 ? 14 : 7;
-    const BitGrid free = random_free(random, longest);
+    const BitGrid free = test::random_cells(random, longest, 0.4);
     const CornerRule rule = random_rule(random);
     queries += expect_shortest(free, rule, 2, seed);
   }
@@ -232,7 +219,7 @@ TEST(ShortestAnyAngle, FindsTheSamePathOnceItKnowsTheMap) {
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(maps) && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const BitGrid free = random_free(random, 20);
+    const BitGrid free = test::random_cells(random, 20, 0.4);
     const FreeSpace space = *make_free_space(map_of(free));
     const auto planner = make_planner(space, ShortestAnyAngleOptions{});
     const Cell start = test::random_cell(random, free.width(), free.height());

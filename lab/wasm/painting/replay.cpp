@@ -1,4 +1,4 @@
-#include "lab/wasm/replay.hpp"
+#include "lab/wasm/painting/replay.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "lab/wasm/painter.hpp"
+#include "lab/wasm/painting/painter.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "lab/wasm/replay.hpp"
+#include "lab/wasm/painting/replay.hpp"
 
 namespace wend::lab {
 

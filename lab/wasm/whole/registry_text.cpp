@@ -1,4 +1,4 @@
-#include "lab/wasm/registry_text.hpp"
+#include "lab/wasm/whole/registry_text.hpp"
 
 #include "lab/wasm/json.hpp"
 #include "wend/control/controller.hpp"
@@ -38,10 +38,6 @@ void write(Json& json, const PlannerInfo& planner) {
       .field("guarantee", choice_name(planner.guarantee))
       .field("guaranteeText", planner.guarantee_text)
       .field("when", planner.when)
-      .field("time", planner.time)
-      .field("memory", planner.memory)
-      .field("costName", planner.cost_name)
-      .field("motion", planner.motion)
       .field("terrain", terrain_in_words(planner))
       .field("headings", planner.capabilities.headings)
       .field("canStep", planner.capabilities.can_step)

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "lab/wasm/pyramid.hpp"
-#include "lab/wasm/replay.hpp"
+#include "lab/wasm/painting/pyramid.hpp"
+#include "lab/wasm/painting/replay.hpp"
 
 namespace wend::lab {
 

@@ -1,4 +1,4 @@
-#include "lab/wasm/pyramid.hpp"
+#include "lab/wasm/painting/pyramid.hpp"
 
 #include <algorithm>
 #include <array>
