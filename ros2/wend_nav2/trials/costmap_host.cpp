@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include <nav2_costmap_2d/cost_values.hpp>
+
 namespace wend_nav2::trials {
 namespace {
 
@@ -68,8 +70,19 @@ CostmapHost::~CostmapHost() {
 
 bool CostmapHost::has(const wend::GridMap& map) const {
   const auto& costs = *costmap_->getCostmap();
-  return costmap_->isCurrent() && static_cast<int>(costs.getSizeInCellsX()) == map.width() &&
-         static_cast<int>(costs.getSizeInCellsY()) == map.height();
+  if (!costmap_->isCurrent() || static_cast<int>(costs.getSizeInCellsX()) != map.width() ||
+      static_cast<int>(costs.getSizeInCellsY()) != map.height()) {
+    return false;
+  }
+  // The costmap has its size before it has its costs.
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      if (map.state({x, y}) != wend::CellState::occupied) continue;
+      return costs.getCost(static_cast<unsigned>(x), static_cast<unsigned>(y)) ==
+             nav2_costmap_2d::LETHAL_OBSTACLE;
+    }
+  }
+  return true;
 }
 
 nav2_core::GlobalPlanner::Ptr CostmapHost::planner(const std::string& name,
