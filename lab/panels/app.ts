@@ -40,7 +40,10 @@ export class App extends LitElement implements Actions {
   private searches!: Searches;
   private registry: Registry | null = null;
   private pointed: Pointed | null = null;
+  /** For screen readers. */
   private message = '';
+  /** Shown until the visitor closes it, edits the map or gets the next one. */
+  private notice = '';
   private dragging = false;
   private play = false;
   /** The step that a link asks for, once its searches are done. */
@@ -95,7 +98,9 @@ export class App extends LitElement implements Actions {
         </aside>
       </main>
       <footer><lab-transport .clock=${this.clock}></lab-transport></footer>
-      <p class="live" role="status">${this.message}</p>`;
+      <p class="live" role="status">${this.message}</p>
+      ${this.notice && html`<p class="notice" role="alert">${this.notice}
+        <button @click=${() => this.notify('')} aria-label="Close this message">×</button></p>`}`;
   }
 
   override updated(): void {
@@ -135,7 +140,7 @@ export class App extends LitElement implements Actions {
   private async open(link: string): Promise<boolean> {
     const linked = readLink(link, this.registry!);
     if (typeof linked === 'string') {
-      this.say(`${linked}.`);
+      this.notify(`${linked}.`);
       return false;
     }
     const change = await fromLink(linked, this.registry!, (each) => this.searches.make(each));
@@ -145,7 +150,7 @@ export class App extends LitElement implements Actions {
 
   async openFiles(files: File[]): Promise<void> {
     const opened = await stateOfFiles(files, this.store.state);
-    if (typeof opened === 'string') return this.say(`${opened}.`);
+    if (typeof opened === 'string') return this.notify(`${opened}.`);
     this.queries = opened.queries;
     this.take(opened.change, true);
   }
@@ -173,13 +178,13 @@ export class App extends LitElement implements Actions {
   }
 
   async save(what: Saved): Promise<void> {
-    this.say(await save(what, this.store.state, this.views()[0]));
+    this.notify(await save(what, this.store.state, this.views()[0]));
   }
 
   /** A new map, unless there is none, for a reason. */
   private take(change: Partial<State> | Failure, undoable: boolean): boolean {
     if ('error' in change) {
-      this.say(`${change.error}.`);
+      this.notify(`${change.error}.`);
       return false;
     }
     this.unfitted = true;
@@ -190,6 +195,7 @@ export class App extends LitElement implements Actions {
 
   private changed(state: State, before: State, stroke?: Stroke): void {
     this.searches.update(state, before, stroke, this.dragging);
+    if (stroke) this.notice = '';
     if (!this.searches.busy) void this.extras.ask(state, before);
     this.requestUpdate();
   }
@@ -230,7 +236,7 @@ export class App extends LitElement implements Actions {
   }
 
   async share(): Promise<void> {
-    this.say(await share(this.store.state, this.clock.step));
+    this.notify(await share(this.store.state, this.clock.step));
   }
 
   private point(pointed: Pointed | null): void {
@@ -261,6 +267,11 @@ export class App extends LitElement implements Actions {
 
   say(message: string): void {
     this.message = message;
+    this.requestUpdate();
+  }
+
+  private notify(notice: string): void {
+    this.notice = notice;
     this.requestUpdate();
   }
 }

@@ -20,6 +20,9 @@ export const appStyle = css`
   aside { overflow-y: auto; border-left: 1px solid var(--line); }
   footer { padding: 0.6rem 1rem; border-top: 1px solid var(--line); }
   .live { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+  .notice { position: fixed; z-index: 2; top: 3.75rem; left: 50%; transform: translateX(-50%); max-width: min(40rem, 90vw); margin: 0;
+    display: flex; align-items: start; gap: 0.75rem; padding: 0.5rem 0.5rem 0.5rem 0.75rem; border-radius: 6px; overflow-wrap: anywhere;
+    border: 1px solid var(--line); border-left: 4px solid var(--current); background: var(--page); color: var(--ink); }
   .wait { padding: 2rem; }
   @media (max-width: 760px) {
     :host { height: auto; min-height: 100dvh; }

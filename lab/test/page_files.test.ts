@@ -30,11 +30,17 @@ describe('the page', () => {
   test('refuses links that are damaged, and keeps what is there', async () => {
     for (const damaged of ['x', 'AAAA', 'q1bKL0rMS1WyUkosLQEA', '%00', 'a'.repeat(70_000)]) {
       await page.evaluate((text) => { location.hash = text; }, damaged);
-      await page.getByText(/^This link is damaged/).waitFor({ state: 'attached' });
+      await page.getByText(/^This link is damaged/).waitFor();
       await page.getByRole('button', { name: 'Share link' }).click();
       await page.getByText(/^The link is/).waitFor({ state: 'attached' });
       expect(await result('Cost')).toBe('89.3553');
     }
+    await page.goto('about:blank');
+    await page.goto(`${opened.address}#map=office&size=100x60`);
+    await page.getByText('This link is damaged or was made by another version: its size must be').waitFor();
+    await page.getByText('astar: found').waitFor({ state: 'attached' });
+    await page.getByRole('button', { name: 'Close this message' }).click();
+    expect(await page.getByRole('alert').count()).toBe(0);
   });
 
   const named = (name: string, text: string) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
@@ -67,7 +73,7 @@ describe('the page', () => {
     ];
     for (const file of files) {
       await open(file);
-      await page.locator('.live').filter({ hasText: file.name }).waitFor({ state: 'attached' });
+      await page.getByRole('alert').filter({ hasText: file.name }).waitFor();
       expect(await page.getByText('rooms, seed 3').count()).toBe(1);
       expect(await result('Cost')).toBe('89.3553');
     }
