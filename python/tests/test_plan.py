@@ -230,7 +230,7 @@ def test_solutions_get_better_until_the_best() -> None:
 @pytest.mark.parametrize("planner", ["lattice", "car"])
 def test_solutions_of_robots_with_headings_end_with_the_best(planner: str) -> None:
     space = room()
-    ends = ((0.55, 0.05, 0), (2.55, 1.95, 0))
+    ends = ((0.5, 0.5, 0), (2.5, 1.5, 0))
     best = space.plan(*ends, planner=planner)
     plans = list(space.solutions(*ends, planner=planner, initial_weight=10))
     assert [plan.bound for plan in plans] == sorted((plan.bound for plan in plans), reverse=True)
