@@ -102,7 +102,8 @@ wend::PlanRequest PathPlanner::request_of(const PathRequest& request, double tol
       .planner = {settings_.planner, settings_.options},
       .limits = {.clock = [&watch] { return watch.read(); }, .cancel = &watch.stop},
       .nearest = plugin.nearest,
-      .explain = plugin.explain};
+      // The failure of the query itself is what is reported. An explanation takes time.
+      .explain = plugin.explain && tolerance == 0};
   made.limits.seconds = watch.end - wend::steady_seconds();
   if (plugin.smooth && !capabilities_of(settings_.planner).headings) {
     made.refinement.smoother = wend::SmootherChoice{};
