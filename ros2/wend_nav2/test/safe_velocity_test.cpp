@@ -21,11 +21,11 @@ using test::costmap_of;
 using test::empty_costmap;
 using test::SimulatedRobot;
 
-constexpr double kPeriod = 0.05;  // s
-constexpr double kRadius = 0.1;   // m
+constexpr double kCommandPeriod = 0.05;  // s
+constexpr double kRobotRadius = 0.1;     // m
 
 wend::FreeSpace space_of(const Costmap& map,
-                         const wend::Footprint& footprint = wend::Footprint::disc(kRadius)) {
+                         const wend::Footprint& footprint = wend::Footprint::disc(kRobotRadius)) {
   wend::Session session;
   session.set_robot(robot_for(ObstacleRule::footprint, {footprint, true}, true));
   CostmapCopy copy;
@@ -47,7 +47,7 @@ RC_GTEST_PROP(SafeVelocity, ARobotThatObeysNeverCollides, ()) {
       .model = {.drivetrain = steers ? wend::Drivetrain::bicycle : wend::Drivetrain::differential,
                 .limits = {.speed = 1, .turn_rate = 2, .acceleration = 0.8}},
       .state = {test::middle_of(map, 15, 15, *rc::gen::inRange(-31, 32) / 10.0)},
-      .radius = kRadius};
+      .radius = kRobotRadius};
   const wend::FreeSpace space = space_of(map);
   wend::Velocity wanted;
   for (int i = 0; i < 100; ++i) {
@@ -56,17 +56,17 @@ RC_GTEST_PROP(SafeVelocity, ARobotThatObeysNeverCollides, ()) {
       const int angular = *rc::gen::inRange(-20, 21);
       wanted = {linear / 10.0, angular / 10.0};
     }
-    const auto safe = safe_velocity(robot.model, robot.state, wanted, kPeriod, space);
+    const auto safe = safe_velocity(robot.model, robot.state, wanted, kCommandPeriod, space);
     RC_ASSERT(safe.has_value());
-    RC_ASSERT(std::abs(safe->linear - robot.state.velocity.linear) <= 0.8 * kPeriod + 1e-9);
-    RC_ASSERT(robot.hold(map, *safe, kPeriod));
+    RC_ASSERT(std::abs(safe->linear - robot.state.velocity.linear) <= 0.8 * kCommandPeriod + 1e-9);
+    RC_ASSERT(robot.hold(map, *safe, kCommandPeriod));
   }
 }
 
 TEST(SafeVelocity, IsTheWantedOneWhereThereIsRoom) {
   const Costmap map = empty_costmap(40, 40);
   const wend::RobotState state{test::middle_of(map, 20, 20), {0.4, 0.2}};
-  const auto safe = safe_velocity({}, state, {0.42, 0.3}, kPeriod, space_of(map));
+  const auto safe = safe_velocity({}, state, {0.42, 0.3}, kCommandPeriod, space_of(map));
   ASSERT_TRUE(safe);
   EXPECT_EQ(*safe, (wend::Velocity{0.42, 0.3}));
 }
@@ -77,19 +77,19 @@ TEST(SafeVelocity, SlowsDownBeforeAWallAndStopsAtIt) {
   const wend::FreeSpace space = space_of(map);
   SimulatedRobot robot{.state = {test::middle_of(map, 5, 10)}};
   for (int i = 0; i < 200; ++i) {
-    const auto safe = safe_velocity(robot.model, robot.state, {0.5, 0}, kPeriod, space);
+    const auto safe = safe_velocity(robot.model, robot.state, {0.5, 0}, kCommandPeriod, space);
     ASSERT_TRUE(safe);
-    ASSERT_TRUE(robot.hold(map, *safe, kPeriod));
+    ASSERT_TRUE(robot.hold(map, *safe, kCommandPeriod));
   }
   EXPECT_EQ(robot.state.velocity, wend::Velocity{});
-  EXPECT_GT(robot.state.pose.x, 3 - kRadius - 0.05);
+  EXPECT_GT(robot.state.pose.x, 3 - kRobotRadius - 0.05);
 }
 
 TEST(SafeVelocity, IsNothingForARobotThatCannotStopInTime) {
   Costmap map = empty_costmap(40, 20);
   for (int y = 0; y < 20; ++y) map.at(30, y) = 254;
   const wend::RobotState state{{2.8, 1, 0}, {0.5, 0}};
-  EXPECT_FALSE(safe_velocity({}, state, {0.5, 0}, kPeriod, space_of(map)));
+  EXPECT_FALSE(safe_velocity({}, state, {0.5, 0}, kCommandPeriod, space_of(map)));
 }
 
 TEST(SafeVelocity, DoesNotTurnALongRobotIntoAWall) {
@@ -100,9 +100,9 @@ TEST(SafeVelocity, DoesNotTurnALongRobotIntoAWall) {
   const wend::FreeSpace space = space_of(map, box);
   SimulatedRobot robot{.state = {test::middle_of(map, 20, 20)}};
   for (int i = 0; i < 100; ++i) {
-    const auto safe = safe_velocity(robot.model, robot.state, {0, 1}, kPeriod, space);
+    const auto safe = safe_velocity(robot.model, robot.state, {0, 1}, kCommandPeriod, space);
     ASSERT_TRUE(safe);
-    robot.hold(map, *safe, kPeriod);
+    robot.hold(map, *safe, kCommandPeriod);
     ASSERT_TRUE(space.fits(space.map().frame().to_grid(robot.state.pose)));
   }
   EXPECT_EQ(robot.state.velocity, wend::Velocity{});
@@ -113,9 +113,9 @@ TEST(SafeVelocity, OfARobotThatHardlyBrakesIsFoundInAFewSteps) {
   const Costmap map = empty_costmap(10, 10);
   const wend::MotionModel model{.limits = {.speed = 1e3, .acceleration = 1e-3}};
   const wend::RobotState state{test::middle_of(map, 5, 5), {1e3, 0}};
-  const wend::Path path = stopping_path(model, state, kPeriod, map.layout.frame());
+  const wend::Path path = stopping_path(model, state, kCommandPeriod, map.layout.frame());
   EXPECT_LT(path.size(), 1000U);
-  EXPECT_FALSE(safe_velocity(model, state, {1e3, 0}, kPeriod, space_of(map)));
+  EXPECT_FALSE(safe_velocity(model, state, {1e3, 0}, kCommandPeriod, space_of(map)));
 }
 
 }  // namespace
