@@ -5,6 +5,7 @@ import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { benchDragging } from './bench_drag';
+import { benchFirstReplay } from './bench_first';
 import { EngineModule } from './engine/module';
 import { readMovingAi } from './formats/moving_ai';
 import { plainFrame, type Window } from './engine/types';
@@ -82,4 +83,5 @@ for (const [what, cells] of [['whole map', 4096 / 1080], ['1 cell a pixel', 1], 
 
 // Wall-clock times: other work on the machine shows here.
 performance.now = wallMilliseconds;
+await benchFirstReplay();
 await benchDragging();
