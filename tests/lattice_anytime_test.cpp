@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/anytime_work.hpp"
 #include "tests/testing/car_simulator.hpp"
 #include "tests/testing/car_trial.hpp"
 #include "tests/testing/drawn_map.hpp"
@@ -340,22 +341,10 @@ double work_beside_astar(const FreeSpace& space, const OptionValues& options,
   const auto planner = *make_planner(name, space, anytime);
   const auto astar = *make_planner(name, space, options);
   Random random(5);
-  double logarithms = 0;
-  int found = 0;
-  while (found < 12) {
+  return anytime_work(*planner, *astar, 12, [&] {
     const Pose start = pose_at(random_cell(random, space.width(), space.height()));
-    const Query query{start, {pose_at(random_cell(random, space.width(), space.height()))}};
-    Plan plan;
-    Plan expected;
-    if (astar->plan(query, expected) != Status::found) continue;
-    EXPECT_EQ(planner->plan(query, plan), Status::found);
-    EXPECT_NEAR(plan.cost, expected.cost, kRoundedTo * (1 + expected.cost));
-    EXPECT_TRUE(plan.optimal());
-    logarithms += std::log(static_cast<double>(plan.metrics.expanded) /
-                           static_cast<double>(expected.metrics.expanded));
-    ++found;
-  }
-  return std::exp(logarithms / found);
+    return Query{start, {pose_at(random_cell(random, space.width(), space.height()))}};
+  });
 }
 
 TEST(AnytimeDrive, TakesAtMostTwoAndAHalfTimesTheWorkOfAStar) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "conformance/random_map.hpp"
+#include "tests/testing/anytime_work.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "wend/base/random.hpp"
 #include "wend/generate/generators.hpp"
@@ -157,22 +158,10 @@ double work_beside_astar(const FreeSpace& space, std::uint64_t seed) {
   const auto planner = make_planner(space, AraStarOptions{});
   const auto astar = make_planner(space, AStarOptions{.leaps = false});
   Random random(seed);
-  double logarithms = 0;
-  int found = 0;
-  Plan plan;
-  Plan expected;
-  while (found < 40) {
-    const Query query = Query::between(test::random_cell(random, space.width(), space.height()),
-                                       test::random_cell(random, space.width(), space.height()));
-    if ((*astar)->plan(query, expected) != Status::found) continue;
-    EXPECT_EQ((*planner)->plan(query, plan), Status::found);
-    EXPECT_NEAR(plan.cost, expected.cost, 1e-9 * expected.cost);
-    EXPECT_TRUE(plan.optimal());
-    logarithms += std::log(static_cast<double>(plan.metrics.expanded) /
-                           static_cast<double>(expected.metrics.expanded));
-    ++found;
-  }
-  return std::exp(logarithms / found);
+  return test::anytime_work(**planner, **astar, 40, [&] {
+    const Cell start = test::random_cell(random, space.width(), space.height());
+    return Query::between(start, test::random_cell(random, space.width(), space.height()));
+  });
 }
 
 TEST(AraStar, DoesAtMostTwoAndAHalfTimesTheWorkOfAStar) {
