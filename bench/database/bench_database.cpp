@@ -48,7 +48,7 @@ void forget_known(std::vector<BenchAnswer>& answers, std::span<const BenchAnswer
   });
 }
 
-/// Of answers that are sorted by line.
+/// Reads the progress of answers, which are sorted by line.
 void recall_progress(SqliteConnection& connection, std::int64_t experiment, std::int64_t planner,
                      std::vector<BenchAnswer>& answers) {
   SqliteStatement rows(

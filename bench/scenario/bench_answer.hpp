@@ -36,7 +36,7 @@ struct BenchAnswer {
   bool wrong = false;
   std::vector<double> seconds{};      // of every repetition; planners repeat their answers
   std::optional<FirstQuery> first{};  // if it was measured
-  // Of an anytime planner: its paths, in order, in a run of its own.
+  // The paths of an anytime planner, in order, from a separate run.
   std::vector<BenchSolution> progress{};
 
   bool found() const { return status == Status::found; }

@@ -35,7 +35,7 @@ export interface Actions {
   openFiles(files: File[]): void;
   save(what: Saved): void;
   say(message: string): void;
-  /** Shows the moment at which a search has made so many expansions. */
+  /** Shows a search after this number of expansions. */
   seek(run: number, step: number): void;
   share(): void;
   shape(footprint: string): void;

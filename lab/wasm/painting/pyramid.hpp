@@ -34,7 +34,7 @@ class Pyramid {
   /// Takes over the steps of a search on this map up to a level, as far as they are not there. O(cells).
   void take_steps(const Replay& replay, int level);
 
-  /// The level for pictures with so many cells a pixel; -1: the cells themselves.
+  /// The level for pictures with this number of cells a pixel; -1: the cells themselves.
   int level_for(double cells) const;
 
   /// The level with blocks of 2^(i + 1) x 2^(i + 1) cells, from 0.

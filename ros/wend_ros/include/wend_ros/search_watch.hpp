@@ -1,7 +1,7 @@
 #pragma once
 
 // SearchWatch: an observer that other threads may ask how far a search is and which paths it has found, and that
-// remembers the order of expansion if it is told to.
+// remembers the order of expansion on request.
 
 #include <atomic>
 #include <cstdint>

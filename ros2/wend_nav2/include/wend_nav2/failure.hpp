@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Failure: why there is no path or no smoothed path, in the kinds that Nav2 tells apart. Knows no ROS.
+// Failure: why there is no path or no smoothed path, as one of the kinds of errors that Nav2 has. Knows no ROS.
 //
 //   kind              exception of nav2_core      from
 //   invalid_planner   InvalidPlanner              invalid_option, invalid_file, index_missing, index_mismatch,

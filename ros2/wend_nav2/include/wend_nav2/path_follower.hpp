@@ -32,7 +32,7 @@
 
 namespace wend_nav2 {
 
-/// Why there is no command, in the kinds that Nav2 tells apart.
+/// Why there is no command, as one of the kinds of errors that Nav2 has.
 enum class ControlFailureKind {
   invalid_path,      // no path or one of NaN; the robot is too far from it
   no_progress,       // the robot does not get on
