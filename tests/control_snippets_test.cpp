@@ -5,6 +5,7 @@
 
 #include "tests/snippets.hpp"
 #include "wend/control/follower.hpp"
+#include "wend/control/given_route.hpp"
 #include "wend/control/nearest_ahead.hpp"
 #include "wend/control/pid.hpp"
 #include "wend/control/simulation.hpp"
@@ -114,6 +115,18 @@ TEST(Snippets, OfControllerRouteAndFollower) {
   const wend::FollowerStep step = follower.step(pose, 0.05);
   if (step.state == wend::FollowerState::driving) robot.go(step.command);
   EXPECT_GT(robot.told.linear, 0);
+}
+
+TEST(Snippets, OfGivenRoute) {
+  const auto controller = wend::make_controller("pure_pursuit").value();
+  wend::Follower follower(*controller);
+  const auto followed = [&](const std::vector<wend::MapPose>& poses) {
+    const auto route = wend::given_route(poses);  // metres, in the frame of the robot's poses
+    if (!route) return report(route.error().message);
+    follower.follow(*route);
+  };
+  followed({{2, 0, 0}, {1, 0, 0}});
+  EXPECT_LT(follower.step({2, 0, 0}, 0.05).command.linear, 0) << "in reverse";
 }
 
 TEST(Snippets, OfRemainingAndSimulation) {

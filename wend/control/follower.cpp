@@ -28,7 +28,7 @@ Follower::Follower(Controller& controller, VelocityLimits limits, FollowerOption
 
 void Follower::follow(Route route) {
   route_ = std::move(route);
-  state_ = FollowerState::driving;
+  state_ = route_.valid() ? FollowerState::driving : FollowerState::invalid;
   behind_ = 0;
   arrives_ = false;
   // The first leg last: the controller then has the memory that any leg needs.
@@ -139,7 +139,7 @@ Velocity Follower::ask_controller(const MapPose& shown, double turn, double seco
 /// Brakes, and turns to the route's last heading if that is asked for.
 void Follower::arrive(const MapPose& pose, double seconds) {
   const double error = normalized_angle(route_.end().heading - pose.heading);
-  const double tolerance = options_.heading_tolerance;
+  const double tolerance = route_.final_heading() ? options_.heading_tolerance : 0;
   if (!arrives_) {
     arrives_ = true;
     idle_ = 0;

@@ -23,7 +23,7 @@ namespace wend {
 struct FollowerOptions {
   double acceptance_radius = 0.15;  // m: a waypoint nearer than this is reached
   double goal_tolerance = 0.1;      // m
-  double heading_tolerance = 0;     // rad: turns on the spot at the goal until within; 0 = any
+  double heading_tolerance = 0.1;   // rad: of a goal with a heading; 0 = any heading
   double off_path = 1;              // m: farther from the route than this is lost
   double stuck_time = 10;           // s
   double heading_window = 0.3;      // m: the route's heading is a mean over this length either way
@@ -35,7 +35,8 @@ struct FollowerOptions {
           self.acceptance_radius, {1e-3, 1e3});
     field({"goal_tolerance", "distance at which the goal counts as reached, m"},
           self.goal_tolerance, {1e-3, 1e3});
-    field({"heading_tolerance", "largest heading error at the goal, rad; 0 = any heading"},
+    field({"heading_tolerance",
+           "largest heading error at a goal that has a heading, rad; 0 = any heading"},
           self.heading_tolerance, {0, 3.2});
     field({"off_path", "distance from the path at which the robot counts as lost, m"},
           self.off_path, {1e-2, 1e6});
@@ -53,6 +54,7 @@ enum class FollowerState {
   reached,   // stands within the tolerances of the route's end
   stuck,     // no progress for stuck_time; a robot that cannot turn stands in the wrong heading
   off_path,  // too far from the route
+  invalid,   // the route is not valid(), or the controller's command is not finite
 };
 
 /// The answer to one pose: what the robot is to do, and how it stands.

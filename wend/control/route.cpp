@@ -12,47 +12,107 @@
 namespace wend {
 namespace {
 
-MapPolyline in_metres(const Polyline& line, const Frame& frame, bool closed) {
-  std::vector<MapPoint> points;
-  points.reserve(line.points().size());
-  for (const Point point : line.points()) points.push_back(frame.to_metres(point));
-  return MapPolyline(points, closed);
+constexpr double kNoTurn = 1e-6;  // rad: a smaller one is rounding
+
+bool can_hold(const Path& path, const Frame& frame) {
+  const auto holds = [&](Point point) { return Route::can_hold(frame.to_metres(point)); };
+  return std::ranges::all_of(path.points(), holds) &&
+         std::ranges::all_of(path.driven_poses(),
+                             [](const Pose& pose) { return std::isfinite(pose.heading); });
 }
 
-/// Does the robot turn in place between two arcs of one direction?
-bool turns_between(const Arc& before, const Arc& after) {
-  const double jump = normalized_angle(after.from.heading - before.from.heading - before.turn());
-  return std::abs(jump) > kSmallJump;
+bool can_hold(const RouteLeg& leg) {
+  return std::ranges::all_of(leg.line.points(), &Route::can_hold);
 }
 
-/// Does the robot turn in place before the first arc that has a length?
-bool turns_at_start(std::span<const Arc> arcs) {
-  const auto moving = std::ranges::find_if(arcs, [](const Arc& arc) { return arc.length != 0; });
-  if (moving == arcs.end()) return false;
-  return std::abs(normalized_angle(moving->from.heading - arcs.front().from.heading)) > kSmallJump;
-}
-
-/// One leg for each stretch of arcs (at least one) in one direction, without turns in place but at its
-/// ends.
-std::vector<RouteLeg> legs_along(std::span<const Arc> arcs, const Frame& frame) {
-  std::vector<RouteLeg> legs;
-  bool turn_first = turns_at_start(arcs);
-  for (std::size_t first = 0; first < arcs.size();) {
-    std::size_t end = first;
-    const Arc* last = nullptr;  // the leg's last arc that has a length
-    bool turns = false;
-    for (; end < arcs.size(); ++end) {
-      if (arcs[end].length == 0) continue;
-      turns = last != nullptr && turns_between(*last, arcs[end]);
-      if (turns || (last != nullptr && last->length * arcs[end].length < 0)) break;
-      last = &arcs[end];
-    }
-    const Polyline line = polyline_of(arcs.subspan(first, end - first));
-    legs.push_back(
-        {in_metres(line, frame, false), last != nullptr && last->length < 0, turn_first});
-    turn_first = turns;
-    first = end;
+/// Without points that lie on top of the one before. The last point stays.
+MapPolyline without_tiny_pieces(std::span<const MapPoint> points, bool closed) {
+  std::vector<MapPoint> kept;
+  kept.reserve(points.size());
+  for (const MapPoint point : points) {
+    if (kept.empty() || distance(kept.back(), point) > Route::kSamePlace) kept.push_back(point);
   }
+  kept.back() = points.back();
+  while (kept.size() > 1 && distance(kept[kept.size() - 2], kept.back()) <= Route::kSamePlace) {
+    kept.erase(kept.end() - 2);
+  }
+  while (closed && kept.size() > 1 && distance(kept.front(), kept.back()) <= Route::kSamePlace) {
+    kept.pop_back();
+  }
+  return MapPolyline(kept, closed);
+}
+
+MapPolyline without_tiny_pieces(const MapPolyline& line) {
+  const auto points = line.points();
+  const bool repeats = line.closed() && points.size() > 1;
+  return without_tiny_pieces(points.first(points.size() - (repeats ? 1 : 0)), line.closed());
+}
+
+MapPolyline in_metres(std::span<const Point> points, const Frame& frame, bool closed) {
+  std::vector<MapPoint> metres;
+  metres.reserve(points.size());
+  for (const Point point : points) metres.push_back(frame.to_metres(point));
+  return without_tiny_pieces(metres, closed);
+}
+
+/// Poses on top of each other are at one point exactly, and one pose if they face the same way.
+std::vector<Pose> without_tiny_moves(std::span<const Pose> poses, const Frame& frame) {
+  std::vector<Pose> kept;
+  kept.reserve(poses.size());
+  for (Pose pose : poses) {
+    if (!kept.empty()) {
+      const Pose& last = kept.back();
+      if (distance(last.point(), pose.point()) * frame.resolution <= Route::kSamePlace) {
+        if (std::abs(normalized_angle(pose.heading - last.heading)) <= kNoTurn) continue;
+        pose = {last.x, last.y, pose.heading};
+      }
+    }
+    kept.push_back(pose);
+  }
+  return kept;
+}
+
+double direction_of(const Segment& segment) {
+  return segment.from.heading + segment.course + (segment.length < 0 ? kPi : 0);
+}
+
+/// Does the direction of travel jump by so much that the robot has to stop? In reverse it is that of its back.
+bool jumps_between(const Segment& before, const Segment& after) {
+  const double gear = before.length * after.length < 0 ? kPi : 0;
+  const double jump = direction_of(after) + gear - direction_of(before) - before.turn;
+  return std::abs(normalized_angle(jump)) > kSmallJump;
+}
+
+/// One leg for each stretch of segments in one direction, without turns in place but at its ends.
+std::vector<RouteLeg> legs_along(const JoinedPoses& joined, const Frame& frame) {
+  std::vector<RouteLeg> legs;
+  std::vector<Arc> arcs;          // of this leg
+  std::optional<Segment> before;  // of this leg, the last
+  bool turn_first = false;
+  bool turns = false;  // before the next segment
+  const auto end_leg = [&] {
+    if (arcs.empty()) return;
+    const Polyline line = polyline_of(arcs);
+    legs.push_back({in_metres(line.points(), frame, false), before->length < 0, turn_first});
+    arcs.clear();
+  };
+  for (std::size_t i = 0; i < joined.segment_count(); ++i) {
+    const Segment segment = joined.segment(i);
+    if (segment.length == 0) {
+      turns = true;
+      continue;
+    }
+    const bool reverses = before && before->length * segment.length < 0;
+    turns = turns || (before && jumps_between(*before, segment));
+    if (turns || reverses) {
+      end_leg();
+      turn_first = turns;
+    }
+    arcs.push_back(way_of_base(segment));
+    before = segment;
+    turns = false;
+  }
+  end_leg();
   return legs;
 }
 
@@ -88,30 +148,55 @@ std::optional<Pose> first_step_aside(const Path& path) {
   return std::nullopt;
 }
 
+bool Route::can_hold(MapPoint point) {
+  return std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest;  // so not NaN
+}
+
 Route::Route(const Path& path, const Frame& frame, bool closed) {
   assert(!path.empty());
+  if (!wend::can_hold(path, frame)) {
+    invalidate();
+    return;
+  }
   const auto follow_lines = [&](const auto&) {
-    legs_.push_back({in_metres(polyline_of(path), frame, closed), false});
-    start_ = facing(legs_.front(), 0);
+    legs_.push_back({in_metres(path.points(), frame, closed), false});
+    set_ends(facing(legs_.front(), 0));
   };
-  path.visit(follow_lines, [&](const JoinedPoses& joined) {
-    const bool moves = joined.segment_count() > 0;
-    legs_ = moves ? legs_along(path.arcs(), frame)
-                  : std::vector{RouteLeg{in_metres(polyline_of(path), frame, false)}};
-    if (closed) join_end_to_start(legs_);
-    start_ = frame.to_metres(joined.poses().front());
-    if (!closed) final_heading_ = frame.to_metres(joined.poses().back()).heading;
-  });
-  end_ = facing(legs_.back(), legs_.back().line.length());
-  if (final_heading_) end_.heading = *final_heading_;
+  path.visit(follow_lines, [&](const JoinedPoses& joined) { follow(joined, frame, closed); });
+}
+
+void Route::follow(const JoinedPoses& joined, const Frame& frame, bool closed) {
+  const std::vector<Pose> poses = without_tiny_moves(joined.poses(), frame);
+  legs_ = legs_along(JoinedPoses(poses), frame);
+  if (legs_.empty()) legs_.push_back({MapPolyline({frame.to_metres(poses.back().point())})});
+  if (closed) join_end_to_start(legs_);
+  if (!closed) final_heading_ = frame.to_metres(joined.poses().back()).heading;
+  set_ends(frame.to_metres(joined.poses().front()));
 }
 
 Route::Route(std::vector<RouteLeg> legs, std::optional<double> final_heading)
     : legs_(std::move(legs)), final_heading_(final_heading) {
   assert(!legs_.empty());
-  start_ = facing(legs_.front(), 0);
+  const bool heads = !final_heading || std::isfinite(*final_heading);
+  if (!heads || !std::ranges::all_of(legs_, [](const auto& leg) { return wend::can_hold(leg); })) {
+    invalidate();
+    return;
+  }
+  for (RouteLeg& leg : legs_) leg.line = without_tiny_pieces(leg.line);
+  set_ends(facing(legs_.front(), 0));
+}
+
+void Route::set_ends(const MapPose& start) {
+  start_ = start;
   end_ = facing(legs_.back(), legs_.back().line.length());
   if (final_heading_) end_.heading = *final_heading_;
+}
+
+void Route::invalidate() {
+  valid_ = false;
+  final_heading_.reset();
+  legs_.assign(1, RouteLeg{MapPolyline({MapPoint{}})});
+  set_ends(MapPose{});
 }
 
 double Route::length() const {

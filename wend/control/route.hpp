@@ -33,15 +33,30 @@ WEND_API std::optional<Pose> first_step_aside(const Path& path);
 
 class WEND_API Route {
  public:
+  /// Farther from the origin of the map's frame there is no place of a route, m.
+  static constexpr double kFarthest = 1e8;
+
+  /// Points that are no farther apart are one place: what lies between has no direction, m.
+  static constexpr double kSamePlace = 1e-6;
+
+  /// Is it finite, and not farther than kFarthest?
+  static bool can_hold(MapPoint point);
+
   /// The route of a path (not empty) in grid coordinates. A path of poses has a leg for each stretch
-  /// between reversals and turns in place, its arcs within 0.01 cells, and ends with a heading. `closed` is for laps:
-  /// a straight line, driven forwards, joins the end to the start.
+  /// between reversals and turns in place, however small, its arcs within 0.01 cells, and ends with a heading.
+  /// `closed` is for laps: a straight line, driven forwards, joins the end to the start. A path with a place
+  /// that no route can hold gives a route that is not valid().
   Route(const Path& path, const Frame& frame, bool closed = false);
 
   /// A route of these legs, at least one. `final_heading` is the heading at the end, if one is asked for.
   explicit Route(std::vector<RouteLeg> legs, std::optional<double> final_heading = {});
 
-  /// The legs, in the order in which they are driven; at least one.
+  /// Can a robot drive it: is each of its numbers finite, each place one that it can hold? A route that is not
+  /// valid has one leg, the origin.
+  bool valid() const { return valid_; }
+
+  /// The legs, in the order in which they are driven; at least one. Successive points of their lines are
+  /// farther apart than kSamePlace.
   const std::vector<RouteLeg>& legs() const { return legs_; }
   /// The length of all legs, m.
   double length() const;
@@ -56,10 +71,15 @@ class WEND_API Route {
   std::optional<double> final_heading() const { return final_heading_; }
 
  private:
+  void follow(const JoinedPoses& joined, const Frame& frame, bool closed);
+  void set_ends(const MapPose& start);
+  void invalidate();
+
   std::vector<RouteLeg> legs_;
   MapPose start_;
   MapPose end_;
   std::optional<double> final_heading_;
+  bool valid_ = true;
 };
 
 }  // namespace wend

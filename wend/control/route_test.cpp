@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
@@ -136,9 +137,10 @@ TEST(Route, BeginsALegWhereThePathTurnsInPlace) {
                                    {2.9, 3, kPi / 2 + 0.1},
                                    {2.9, 3, 0}}),
                     {});
-  ASSERT_EQ(route.legs().size(), 2U) << "a small turn does not stop the robot";
+  ASSERT_EQ(route.legs().size(), 3U) << "at every turn, however small; the last is the goal's";
   EXPECT_TRUE(route.legs()[0].turn_first) << "the path begins with a turn";
   EXPECT_TRUE(route.legs()[1].turn_first);
+  EXPECT_TRUE(route.legs()[2].turn_first);
   EXPECT_NEAR(route.legs()[0].line.length(), 3, kRounding);
   expect_near(route.start(), {0, 0, 1});
   EXPECT_EQ(route.final_heading(), 0);
@@ -157,6 +159,42 @@ TEST(Route, IgnoresPosesOnTopOfEachOther) {
   const Route route(Path::through({{0, 0, 0}, {0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {1, 0, 0}}), {});
   ASSERT_EQ(route.legs().size(), 2U);
   EXPECT_NEAR(route.length(), 3, kRounding);
+}
+
+TEST(Route, HasNoPiecesThatAreRounding) {
+  constexpr double kTiny = 4e-16;
+  const Route route(
+      Path::through({{0, 0, 0}, {2, 0, 0}, {2 + kTiny, kTiny, 1e-3}, {2, kTiny, 0}, {3, 0, 0}}),
+      {.resolution = 0.5});
+  ASSERT_EQ(route.legs().size(), 2U) << "it turns there, and back";
+  for (const RouteLeg& leg : route.legs()) EXPECT_EQ(leg.line.points().size(), 2U);
+  const Route of_lines(Path::along({{0, 0}, {1, 0}, {1 + kTiny, 0}, {1, kTiny}}), {});
+  EXPECT_EQ(of_lines.legs()[0].line.points().size(), 2U);
+  const Route of_legs({RouteLeg{MapPolyline({{0, 0}, {1, 0}, {1, kTiny}})}});
+  EXPECT_EQ(of_legs.legs()[0].line.points().size(), 2U);
+  EXPECT_EQ(of_legs.end().y, kTiny) << "the last point stays";
+}
+
+TEST(Route, KeepsALineOfManyTinyPieces) {
+  std::vector<Point> points;
+  for (int i = 0; i <= 10000; ++i) points.push_back({i * 1e-7, 0});
+  EXPECT_NEAR(Route(Path::along(points), {}).length(), 1e-3, 1e-9);
+}
+
+TEST(Route, OfWhatIsNotFiniteIsNotValid) {
+  for (const double number : {std::numeric_limits<double>::quiet_NaN(),
+                              std::numeric_limits<double>::infinity(), 1e300, -1e9}) {
+    EXPECT_FALSE(Route(Path::along({{0, 0}, {number, 0}}), {}).valid());
+    EXPECT_FALSE(Route(Path::through({{0, number, 0}, {1, 0, 0}}), {}).valid());
+    EXPECT_FALSE(Route({RouteLeg{MapPolyline({{number, 0}})}}).valid());
+  }
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const Route nowhere(Path::through({{0, 0, 0}, {1, 0, kNan}}), {});
+  EXPECT_FALSE(nowhere.valid());
+  EXPECT_EQ(nowhere.length(), 0);
+  EXPECT_EQ(nowhere.legs().size(), 1U);
+  EXPECT_FALSE(Route({RouteLeg{MapPolyline({{0, 0}})}}, kNan).valid());
+  EXPECT_TRUE(Route(Path::along({{0, 0}, {1, 0}}), {}).valid());
 }
 
 }  // namespace

@@ -47,6 +47,8 @@ std::string text_of(wend::FollowerState state) {
       return "stuck";
     case wend::FollowerState::off_path:
       return "off_path";
+    case wend::FollowerState::invalid:
+      return "invalid";
   }
   return "idle";
 }

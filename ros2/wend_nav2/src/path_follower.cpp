@@ -120,6 +120,9 @@ wend::Expected<wend::Velocity, ControlFailure> PathFollower::wanted(const Contro
       return no_command(ControlFailureKind::invalid_path,
                         "the robot at " + place_of(moment.on_path) + " is farther than " +
                             wend::format_number(settings_.follower.off_path) + " m from the path");
+    case wend::FollowerState::invalid:
+      return no_command(ControlFailureKind::invalid_path,
+                        "the path or the controller's command has a number that is not finite");
     case wend::FollowerState::driving:
     case wend::FollowerState::reached:
       break;
