@@ -31,6 +31,8 @@ constexpr std::string_view kPlainBox = "1.5,0.8; -1,0.8; -1,-0.8; 1.5,-0.8";
 /// Like an open wrench: a square between its jaws does not touch it.
 constexpr std::string_view kWrench =
     "2.2,1.1; 0.4,1.1; -1,0.4; -1,-0.4; 0.4,-1.1; 2.2,-1.1; 2.2,-0.6; 1,-0.55; 1,0.55; 2.2,0.6";
+/// The forks of a forklift whose base point is behind them.
+constexpr std::string_view kForks = "3.2,0.8; 0.7,0.8; 0.7,-0.8; 3.2,-0.8";
 
 /// Single obstacles, some unknown cells, some walls with gaps.
 GridMap random_ground(Random& random, bool walls) {
@@ -277,7 +279,7 @@ TEST_P(HybridAStarPaths, CostTheSameOnATurnedMapInALongRun) { drive_turned(GetPa
 TEST_P(HybridAStarPaths, CostTheSameForALargerRobotInALongRun) { drive_larger(GetParam(), kMany); }
 
 INSTANTIATE_TEST_SUITE_P(Footprints, HybridAStarPaths,
-                         ::testing::Values(kDisc, kPlainBox, kWrench));
+                         ::testing::Values(kDisc, kPlainBox, kWrench, kForks));
 
 }  // namespace
 }  // namespace wend::test

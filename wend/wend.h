@@ -52,7 +52,7 @@
 
 /// Grows when a function or a structure changes so that programs must be compiled again. New functions do not
 /// change it.
-#define WEND_ABI_VERSION 2
+#define WEND_ABI_VERSION 3
 
 #ifdef __cplusplus
 extern "C" {
@@ -217,21 +217,27 @@ WEND_C_API void wend_map_free(wend_map* map);
 /// A robot: its shape, and the distance that it likes to keep.
 typedef struct wend_robot wend_robot;
 
-/// The robot that wend_robot_create() makes: a polygon if it has corners, else a disc.
+/// The robot that wend_robot_create() makes: the shape of `footprint` if that is set, else a polygon if it has corners,
+/// else a disc.
 typedef struct wend_robot_options {
   size_t struct_size;  // sizeof(wend_robot_options)
   double radius;       // metres, >= 0; 0 with corners; default 0: a point
   const wend_point*
       corners;          // in the robot's own coordinates, +x ahead, base point (0, 0); default null
-  size_t corner_count;  // 3 to 64, or 0
+  size_t corner_count;  // 3 to 4096, or 0
   double clearance_distance;  // metres from obstacles within which cells cost more; default 0: off
   double clearance_cost;      // extra cost of a cell where the robot touches, >= 0; default 4
+  const char*
+      footprint;  // the shape as text, in metres, in place of radius and corners: "disc:0.2",
+                  // "rect:0.8x0.5,0.2" (length, width, how far its centre lies ahead), or
+                  // corners "0.4,0.2;0.4,-0.2;-0.3,0"; default null
 } wend_robot_options;
 
 /// Sets the defaults. `struct_size` is sizeof(wend_robot_options).
 WEND_C_API wend_status wend_robot_options_init(wend_robot_options* options, size_t struct_size);
 
-/// Makes a robot. The corners are copied; they are those of a simple polygon that contains the base point.
+/// Makes a robot. The corners are copied; they are those of a simple polygon, in either orientation, that need not
+/// contain the base point. Repeated corners in a row count once.
 /// Free the robot with wend_robot_free(). Fails with WEND_INVALID_ARGUMENT or WEND_INVALID_OPTION.
 WEND_C_API wend_status wend_robot_create(const wend_robot_options* options, wend_robot** robot,
                                          wend_error* error);

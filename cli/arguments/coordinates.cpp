@@ -105,7 +105,7 @@ Place Coordinates::parse(const std::string& name, const std::string& typed) cons
   if (has_heading(typed)) {
     throw InputError(
         fmt::format("--{}: {} has a heading, and grid planners do not use one: leave it out, or "
-                    "use a planner for poses: --planner car or lattice",
+                    "use a planner for poses: --planner hybrid_astar, lattice or car",
                     name, quote(typed)));
   }
   const TypedPoint point = parse_point(name, typed, "cell");

@@ -100,11 +100,13 @@ void RobotArguments::add_robot_to(Parser& app) {
     if (!parsed) refuse_value("--footprint", parsed.error().message);
     footprint = *std::move(parsed);
   };
-  app.add_option("--footprint", assign_footprint,
-                 wrapped("Shape of the robot: the corners of a polygon 'x,y;x,y;x,y' around its "
-                         "base point (0,0), x ahead and y to its left, or 'disc:RADIUS' (units as "
-                         "--robot-radius). Planners on cells use the smallest disc that covers a "
-                         "polygon"))
+  app.add_option(
+         "--footprint", assign_footprint,
+         wrapped("Shape of the robot: the corners of a polygon 'x,y;x,y;x,y', seen from its "
+                 "base point (0,0), x ahead and y to its left, 'rect:LENGTHxWIDTH[,AHEAD]', "
+                 "whose centre lies AHEAD of the base point (default 0), or 'disc:RADIUS' "
+                 "(units as --robot-radius). Planners on cells use the smallest disc "
+                 "around the base point that covers a polygon"))
       .type_name("SHAPE")
       .excludes(radius);
   add_choice<UnknownPolicy>(app, "--unknown", unknown,

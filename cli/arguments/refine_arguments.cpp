@@ -71,7 +71,7 @@ void RefineArguments::add_to(Parser& app) {
   add_number(
       app, "--turning-radius", turning_radius, kRadii,
       "Lower limit on the turning radius (units as --robot-radius), for --planner "
-      "lattice, --planner hybrid_astar, --planner car, where it is rounded up to whole cells, or "
+      "hybrid_astar, --planner lattice, --planner car, where it is rounded up to whole cells, or "
       "--smoother curvature");
   app.add_flag("--unsafe", unsafe, wrapped("Smooth without a collision check"));
 }
@@ -99,7 +99,8 @@ void RefineArguments::steer(PlannerSpec& planner, const Coordinates& coordinates
   if (choice && has_option(smoothers().find(choice->name)->options, kTurningRadius)) return;
   throw InputError(
       fmt::format("--turning-radius: neither the planner {} nor the smoother has a turning radius; "
-                  "add --planner lattice, --planner car or --smoother curvature",
+                  "add --planner hybrid_astar, --planner lattice, --planner car or --smoother "
+                  "curvature",
                   planner.name));
 }
 

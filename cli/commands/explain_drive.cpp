@@ -66,7 +66,11 @@ std::string DriveAnswer::headline() const {
 
 std::string DriveAnswer::narrowest() const {
   if (!why_.widest) return "none, even for a point";
-  return "a disc " + explainer_.width(*why_.widest) + "; the largest disc within the robot has " +
+  const std::string disc = "a disc " + explainer_.width(*why_.widest);
+  if (!space_.footprint().covers_base_point()) {
+    return disc + "; the robot's base point lies outside its footprint, so a narrower way may do";
+  }
+  return disc + "; the largest disc within the robot has " +
          coordinates_.length(space_.inscribed_radius_in_cells());
 }
 

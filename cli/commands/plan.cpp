@@ -38,8 +38,8 @@ constexpr const char* kPlanExamples = R"(Examples:
 
 Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map
 with arrows; large maps show a summary and, on a terminal, a picture. The paths
-of lattice and car are printed as commands. Exit codes: 0 found, 1 no path
-(standard error gives the reason), 2 bad usage or input.)";
+of hybrid_astar, lattice and car are printed as commands. Exit codes: 0 found,
+1 no path (standard error gives the reason), 2 bad usage or input.)";
 
 /// The planner that was asked for, else the one that the index is for.
 std::string planner_text(const PlanArguments& arguments, const IndexArgument& index) {
@@ -204,9 +204,9 @@ Command add_plan(Parser& app) {
   arguments->map.add_primitives_to(plan);
   plan.add_option("--start", arguments->ends.start,
                   wrapped("Start of the path: metres in the map's frame on maps with a resolution, "
-                          "a cell on others and with --cells. For the planners lattice and car "
-                          "also a heading: N, W, E, S or an angle such as 45deg (the car starts "
-                          "at a grid vertex)"))
+                          "a cell on others and with --cells. For the planners hybrid_astar, "
+                          "lattice and car also a heading: N, W, E, S or an angle such as 45deg "
+                          "(car starts at a grid vertex, lattice in the middle of a cell)"))
       .type_name("X,Y[,HEADING]");
   add_texts(plan, "--goal", arguments->ends.goals,
             "Goal of the path; if given several times, the goal with the lowest path cost. The "

@@ -86,10 +86,15 @@ void PlanRun::plan() {
     throw InputError(
         "--plot changes nothing without --initial-weight above 1: the planner finds one path");
   }
+  const auto coordinates = arguments_.map.coordinates(space_.map());
+  const Explainer explainer = explainer_for(space_, coordinates, moves_);
   if (arguments_.nearest) {
-    const auto coordinates = arguments_.map.coordinates(space_.map());
-    const Explainer explainer = explainer_for(space_, coordinates, moves_);
-    for (const auto& note : asked_->move_to_nearest(explainer, **planner_)) complain(note);
+    result_.notes = asked_->move_to_nearest(explainer, **planner_);
+    for (const std::string& note : result_.notes) complain(note);
+  }
+  result_.planned_as_disc = explainer.planned_as_disc(**planner_);
+  if (!result_.planned_as_disc.empty()) {
+    result_.notes.push_back("the robot is " + result_.planned_as_disc);
   }
   search();
 }

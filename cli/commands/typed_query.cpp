@@ -129,7 +129,7 @@ std::string CellQuery::summary(const PlanResult& result) const {
   if (goals_.size() > 1) {
     goal = goal_line(coordinates_.text(cell_at(result.plan.path.points().back())), goals_.size());
   }
-  return goal + robot_line(space_, coordinates_) + plan_summary(result, space_.map().frame());
+  return goal + robot_line(result) + plan_summary(result, space_.map().frame());
 }
 
 PoseQuery::PoseQuery(FreeSpace space, const Coordinates& coordinates, int unit,
@@ -205,8 +205,7 @@ std::string PoseQuery::steps(const Plan& plan, const Screen& /*screen*/) const {
 }
 
 std::string PoseQuery::summary(const PlanResult& result) const {
-  return (unit_ > 0 ? robot_line(space_, coordinates_) : "") +
-         drive_summary(result, coordinates_, goals_.size());
+  return robot_line(result) + drive_summary(result, coordinates_, goals_.size());
 }
 
 }  // namespace wend::cli

@@ -122,10 +122,8 @@ std::string goal_line(const std::string& goal, std::size_t goals) {
   return named_line("goal", fmt::format("{}, {}", goal, one_of(goals)));
 }
 
-std::string robot_line(const FreeSpace& space, const Coordinates& coordinates) {
-  if (!space.outline()) return {};
-  return named_line("robot", fmt::format("planned as the disc around its footprint, radius {}",
-                                         coordinates.length(space.radius_in_cells())));
+std::string robot_line(const PlanResult& result) {
+  return result.planned_as_disc.empty() ? "" : named_line("robot", result.planned_as_disc);
 }
 
 std::string plan_summary(const PlanResult& result, const Frame& frame) {

@@ -21,7 +21,7 @@ std::string goal_line(const std::string& goal, std::size_t goals);
 
 /// A line that says that a planner without headings used the disc around the robot's polygon; empty
 /// for any other robot.
-std::string robot_line(const FreeSpace& space, const Coordinates& coordinates);
+std::string robot_line(const PlanResult& result);
 
 /// What was found and what it took, a line for each thing.
 std::string plan_summary(const PlanResult& result, const Frame& frame);

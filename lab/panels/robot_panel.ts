@@ -4,14 +4,17 @@ import { html, LitElement, nothing } from 'lit';
 import type { Failure, Registry, Widest } from '../engine/types';
 import type { Place, State } from '../store/state';
 import type { Store } from '../store/store';
+import { type Rectangle, rectangleOf, rectangleText } from '../view/footprint';
 import { sentence } from './planner_panel';
 import { panelStyle } from './style';
 import { number } from './words';
 
-type Shape = 'point' | 'disc' | 'polygon';
+type Shape = 'point' | 'disc' | 'rectangle' | 'polygon';
 
 const firstPolygon = (unit: number) =>
   [[1, 0.6], [1, -0.6], [-1, -0.6], [-1, 0.6]].map(([x, y]) => `${x! * unit},${y! * unit}`).join('; ');
+
+const firstRectangle = (unit: number): Rectangle => ({ length: 2 * unit, width: 1.2 * unit, ahead: 0 });
 
 export class RobotPanel extends LitElement {
   static override styles = panelStyle;
@@ -32,13 +35,14 @@ export class RobotPanel extends LitElement {
     return html`<div class="stack">
       <label>Shape
         <select @change=${this.chooseShape}>
-          ${(['point', 'disc', 'polygon'] as Shape[]).map((name) => html`
+          ${(['point', 'disc', 'rectangle', 'polygon'] as Shape[]).map((name) => html`
             <option value=${name} ?selected=${name === shape}>${sentence(name, '')}</option>`)}
         </select></label>
       ${shape === 'disc' ? html`<label>Radius in ${unit}
         <input type="number" min="0" step="any" .value=${footprint.slice(5)}
           @change=${(event: Event) => this.set(`disc:${Math.max(Number(valueOf(event)), 0)}`)}></label>` : nothing}
-      ${shape === 'polygon' ? html`<label>Corners in ${unit}, around the base point
+      ${shape === 'rectangle' ? this.rectangle(rectangleOf(footprint) ?? firstRectangle(1), unit) : nothing}
+      ${shape === 'polygon' ? html`<label>Corners in ${unit}, seen from the base point
         <input .value=${footprint} @change=${(event: Event) => this.set(valueOf(event))}></label>` : nothing}
       ${turns ? html`<div class="row">
         ${this.heading('start', 'Start heading')}
@@ -71,6 +75,15 @@ export class RobotPanel extends LitElement {
       `cell (${Math.floor(widest.x)}, ${Math.floor(widest.y)}).`;
   }
 
+  private rectangle(sides: Rectangle, unit: string) {
+    const input = (label: string, side: keyof Rectangle, least: string) => html`
+      <label>${label} in ${unit}
+        <input type="number" min=${least} step="any" .value=${String(sides[side])}
+          @change=${(event: Event) => this.set(rectangleText({ ...sides, [side]: Number(valueOf(event)) }))}></label>`;
+    return html`<div class="row">${input('Length', 'length', '0')}${input('Width', 'width', '0')}</div>
+      ${input('Its centre lies ahead of the base point by', 'ahead', '')}`;
+  }
+
   private heading(end: 'start' | 'goal', label: string) {
     const degrees = Math.round((this.state[end].heading * 180) / Math.PI);
     return html`<label>${label}, ${degrees}°
@@ -101,7 +114,9 @@ export class RobotPanel extends LitElement {
     const shape = valueOf(event) as Shape;
     // Two cells across, to begin with.
     const cell = this.state.map?.frame.metric ? this.state.map.frame.resolution : 1;
-    const first: Record<Shape, string> = { point: 'point', disc: `disc:${cell}`, polygon: firstPolygon(cell) };
+    const first: Record<Shape, string> = {
+      point: 'point', disc: `disc:${cell}`, rectangle: rectangleText(firstRectangle(cell)), polygon: firstPolygon(cell),
+    };
     this.set(first[shape]);
   }
 
@@ -112,7 +127,8 @@ export class RobotPanel extends LitElement {
 
 export function shapeOf(footprint: string): Shape {
   if (footprint === 'point') return 'point';
-  return footprint.startsWith('disc:') ? 'disc' : 'polygon';
+  if (footprint.startsWith('disc:')) return 'disc';
+  return rectangleOf(footprint) ? 'rectangle' : 'polygon';
 }
 
 function valueOf(event: Event): string {

@@ -3,10 +3,29 @@
 import type { MapDocument, Place } from '../store/state';
 import type { Camera } from './camera';
 
-/** The radius of "disc:0.3", or the corners of "x,y; x,y; ..."; null for a point. In metres. */
+export interface Rectangle { length: number; width: number; ahead: number }
+
+/** The sides of "rect:0.8x0.5,0.2", and how far its centre lies ahead of the base point; null for other shapes. In metres. */
+export function rectangleOf(footprint: string): Rectangle | null {
+  const [, length, width, ahead] = /^\s*rect:([^x,]+)x([^x,]+)(?:,([^x,]+))?$/.exec(footprint) ?? [];
+  if (length === undefined || width === undefined) return null;
+  return { length: Number(length), width: Number(width), ahead: Number(ahead ?? 0) };
+}
+
+export function rectangleText({ length, width, ahead }: Rectangle): string {
+  return `rect:${length}x${width}${ahead === 0 ? '' : `,${ahead}`}`;
+}
+
+/** The radius of "disc:0.3", or the corners of "x,y; x,y; ..." or of a rectangle; null for a point. In metres. */
 export function outlineOf(footprint: string): number | [number, number][] | null {
   if (footprint === 'point') return null;
   if (footprint.startsWith('disc:')) return Number(footprint.slice(5)) || null;
+  const rectangle = rectangleOf(footprint);
+  if (rectangle) {
+    const { ahead, length, width } = rectangle;
+    const [front, rear, side] = [ahead + length / 2, ahead - length / 2, width / 2];
+    return [[front, side], [rear, side], [rear, -side], [front, -side]];
+  }
   const numbers = footprint.match(/-?[\d.]+(?:e-?\d+)?/gi)?.map(Number) ?? [];
   const corners: [number, number][] = [];
   for (let i = 0; i + 1 < numbers.length; i += 2) corners.push([numbers[i]!, numbers[i + 1]!]);

@@ -32,6 +32,9 @@ Footprint footprint_of(nb::handle given) {
   if (PyFloat_Check(given.ptr()) || PyLong_Check(given.ptr())) {
     return Footprint::disc(PyFloat_AsDouble(given.ptr()));
   }
+  if (nb::isinstance<nb::str>(given)) {
+    return value_or_throw(parse_footprint(nb::cast<std::string>(given)));
+  }
   std::vector<Point> corners;
   for (const nb::handle corner : given) {
     const MapPose at =

@@ -18,6 +18,19 @@ def room(footprint: Any = 0.1) -> wend.FreeSpace:
     return wend.Map(ROOM, resolution=0.1).free_space(footprint)
 
 
+def test_footprints_as_texts_and_rectangles() -> None:
+    corners = wend.rectangle(0.4, 0.2, ahead=0.3)
+    for footprint in (corners, "rect:0.4x0.2,0.3", [*corners, corners[0]]):
+        space = room(footprint)
+        assert np.array_equal(space.passable, room(corners).passable)
+    with pytest.raises(wend.InvalidArgument, match="write rect:LENGTHxWIDTH"):
+        room("rect:0.4")
+    open_space = wend.Map(np.zeros((40, 40)), resolution=0.1).free_space("rect:0.4x0.2,0.3")
+    plan = open_space.plan((1, 1), (3, 3))
+    assert len(plan.notes) == 1 and "planned as the disc around its base point" in plan.notes[0]
+    assert open_space.plan((1, 1, 0), (3, 3, 0), "hybrid_astar", turning_radius=0.3).notes == []
+
+
 def test_metres_and_frames() -> None:
     turned = wend.Map(ROOM, resolution=0.1, origin=(5, -3, math.pi / 2)).free_space()
     straight = wend.Map(ROOM, resolution=0.1).free_space()

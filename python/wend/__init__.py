@@ -13,6 +13,7 @@ from ._animation import Animation
 from ._core import version as __version__
 from ._errors import Error, InvalidArgument, Metrics, NoPath
 from ._explore import Exploration, explore
+from ._footprint import rectangle
 from ._index import Index
 from ._map import Map
 from ._plan import Drive, Plan, Quality, Trajectory, follow
@@ -52,6 +53,7 @@ __all__ = [
     "explore",
     "follow",
     "planners",
+    "rectangle",
     "search",
     "smoothers",
 ]

@@ -273,7 +273,7 @@ class Map:
     @named_types
     def free_space(
         self,
-        footprint: float | Sequence[Pose] | None = None,
+        footprint: float | str | Sequence[Pose] | None = None,
         *,
         unknown: Literal["blocked", "free"] = "blocked",
         outside: Literal["blocked", "free"] | None = None,
@@ -284,7 +284,9 @@ class Map:
         """Where a robot may be on this map. It takes O(cells).
 
         :param footprint: the shape of the robot: a radius in metres, or the corners of a polygon, [(x, y), ...], in
-            metres, with the base point at (0, 0) and +x ahead. None: a point.
+            metres, with the base point at (0, 0) and +x ahead; ``rectangle()`` makes those of a rectangle. The base
+            point may lie outside. Or a text as of the command line's ``--footprint``: "rect:0.8x0.5,0.2". None: a
+            point.
         :param unknown: whether unknown cells are obstacles.
         :param outside: whether the robot's shape may leave the map ("free"). None: "blocked" for a map with a
             resolution, else "free".
@@ -298,7 +300,7 @@ class Map:
         [[True, True, True], [True, False, True]]
         """
         shape: Any = footprint
-        if footprint is not None and not isinstance(footprint, (int, float)):
+        if footprint is not None and not isinstance(footprint, (int, float, str)):
             shape = float(shape) if np.ndim(shape) == 0 else list(footprint)
         if isinstance(warm, int) and warm < 0:
             raise InvalidArgument("warm must be at least 0", "invalid_option", "warm")

@@ -111,7 +111,8 @@ class Plan:
 
     @property
     def notes(self) -> list[str]:
-        """A sentence for each end that was moved (``nearest=True``)."""
+        """A sentence for each end that was moved (``nearest=True``), and one if a planner on cells took the disc around
+        the robot's polygon."""
         return self._inner.notes
 
     @property

@@ -143,6 +143,10 @@ std::string fuzz_footprint(std::string_view bytes) {
   if (!footprint) return check_text(footprint.error().message);
   if (!footprint->valid()) return "an invalid footprint";
   if (footprint->inscribed_radius() > footprint->circumscribed_radius()) return "radii swapped";
+  const InnerDisc& inner = footprint->inner_disc();
+  if (!(inner.radius >= 0 && std::isfinite(inner.centre.x) && std::isfinite(inner.centre.y))) {
+    return "an inner disc that is none";
+  }
   const auto again = parse_footprint(text_of(*footprint));
   return again && *again == *footprint ? "" : "another footprint comes back";
 }

@@ -1,11 +1,13 @@
 #pragma once
 
 // Simple polygons at random that contain the origin: star-shaped around it, convex or not, and the
-// same with a notch.
+// same with a notch; or beside it.
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
@@ -50,6 +52,26 @@ inline Polygon random_right_angled_polygon() {
   }
   return *Polygon::make(
       {{left, low}, {right, low}, {right, 0}, {right / 2, 0}, {right / 2, high}, {left, high}});
+}
+
+/// The same beside the origin or with it on an edge, at most some cells away.
+inline Polygon moved_off_the_origin(const Polygon& polygon) {
+  double low = polygon.corners().front().x;
+  for (const Point corner : polygon.corners()) low = std::min(low, corner.x);
+  const double gap = *rc::gen::inRange(0, 9) / 4.0;
+  const double angle = *rc::gen::inRange(-3, 4) * kPi / 4;
+  std::vector<Point> corners;
+  for (const Point corner : polygon.corners()) {
+    corners.push_back(placed({corner.x - low + gap, corner.y}, {0, 0, angle}));
+  }
+  return *Polygon::make(std::move(corners));
+}
+
+/// Any of these, around the origin, beside it or with the origin on an edge.
+inline Polygon random_outline(double largest = 2) {
+  const Polygon polygon =
+      *rc::gen::arbitrary<bool>() ? random_polygon(largest) : random_right_angled_polygon();
+  return *rc::gen::arbitrary<bool>() ? polygon : moved_off_the_origin(polygon);
 }
 
 }  // namespace wend::test

@@ -9,9 +9,20 @@ namespace {
 using FootprintResult = Expected<Footprint, Failure>;
 using RobotResult = Expected<std::unique_ptr<wend_robot>, Failure>;
 
-constexpr wend_robot_options kRobotDefaults{sizeof(wend_robot_options), 0, nullptr, 0, 0, 4};
+constexpr wend_robot_options kRobotDefaults{
+    sizeof(wend_robot_options), 0, nullptr, 0, 0, 4, nullptr};
+
+FootprintResult footprint_of_text(const wend_robot_options& options) {
+  if (options.radius != 0 || options.corner_count != 0) {
+    return refused("wend_robot_options has a footprint and also a radius or corners");
+  }
+  auto footprint = parse_footprint(options.footprint);
+  if (!footprint) return failed(std::move(footprint.error()));
+  return *std::move(footprint);
+}
 
 FootprintResult footprint_of(const wend_robot_options& options) {
+  if (options.footprint != nullptr) return footprint_of_text(options);
   if (options.corner_count == 0) return Footprint::disc(options.radius);
   if (options.corners == nullptr) {
     return refused("wend_robot_options.corners is null, but corner_count is not 0");
@@ -19,7 +30,8 @@ FootprintResult footprint_of(const wend_robot_options& options) {
   if (options.radius != 0) {
     return refused("wend_robot_options has corners and a radius: a robot is a polygon or a disc");
   }
-  if (options.corner_count > Polygon::kMostCorners) {
+  constexpr std::size_t kMost = Polygon::kMostCorners + 1;  // the last may repeat the first
+  if (options.corner_count > kMost) {
     return refused("wend_robot_options.corner_count is " + std::to_string(options.corner_count) +
                    ": at most " + std::to_string(Polygon::kMostCorners) + " expected");
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "tests/testing/c_objects.hpp"
@@ -39,6 +40,26 @@ TEST(CRobot, IsAPointADiscOrAPolygon) {
             parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25").value());
 }
 
+TEST(CRobot, IsReadFromText) {
+  wend_robot_options options = robot_options();
+  options.footprint = "rect:0.8x0.4,0.6";
+  EXPECT_EQ(made_robot(options)->robot.footprint, *Footprint::rectangle(0.8, 0.4, 0.6));
+  options.footprint = "rect:0.8";
+  EXPECT_EQ(refused_robot(options).status, WEND_INVALID_OPTION);
+  options.footprint = "disc:0.2";
+  options.radius = 0.2;
+  EXPECT_EQ(refused_robot(options).status, WEND_INVALID_ARGUMENT);
+}
+
+TEST(CRobot, MayHaveItsBasePointOutsideItsCorners) {
+  wend_robot_options options = robot_options();
+  std::array<wend_point, 4> corners = kBox;
+  for (wend_point& corner : corners) corner.x += 10;
+  options.corners = corners.data();
+  options.corner_count = corners.size();
+  EXPECT_FALSE(made_robot(options)->robot.footprint.covers_base_point());
+}
+
 TEST(CRobot, RefusesNumbersOutOfRange) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double number : {-1.0, kAnyHeading, kInfinity}) {
@@ -54,7 +75,7 @@ TEST(CRobot, RefusesNumbersOutOfRange) {
   }
 }
 
-TEST(CRobot, RefusesCornersThatAreNotAPolygonAroundTheBasePoint) {
+TEST(CRobot, RefusesCornersThatAreNotAPolygon) {
   wend_robot_options options = robot_options();
   options.corner_count = 4;
   EXPECT_EQ(refused_robot(options).message,
@@ -68,7 +89,7 @@ TEST(CRobot, RefusesCornersThatAreNotAPolygonAroundTheBasePoint) {
   options.corner_count = 2;
   EXPECT_EQ(refused_robot(options).status, WEND_INVALID_OPTION);
   std::array<wend_point, 4> corners = kBox;
-  for (wend_point& corner : corners) corner.x += 10;
+  std::swap(corners[0], corners[1]);  // its edges cross
   options.corners = corners.data();
   options.corner_count = 4;
   EXPECT_EQ(refused_robot(options).status, WEND_INVALID_OPTION);

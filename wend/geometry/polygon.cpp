@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,62 +51,118 @@ bool goes_back(const Line& a, const Line& b) {
   return cross(a.from, a.to, b.to) == 0 && along < 0;
 }
 
-std::string corner_name(std::size_t i) { return "corner " + std::to_string(i + 1); }
-
 bool in_range(double number) { return std::abs(number) <= Polygon::kLargestCoordinate; }
 
-std::optional<Error> fault_of_corner(const std::vector<Point>& corners, std::size_t i) {
-  if (!in_range(corners[i].x) || !in_range(corners[i].y)) {
-    return Error{Status::invalid_option,
-                 corner_name(i) + " has a coordinate that is NaN or not between -1e6 and 1e6",
-                 corner_name(i)};
-  }
-  if (corners[i] != corners[(i + 1) % corners.size()]) return std::nullopt;
-  return Error{Status::invalid_option,
-               corner_name(i) + " and the corner after it are the same point", corner_name(i)};
-}
+/// The corners of an outline, and the number of each in the list that was given, counted from 1.
+struct Outline {
+  std::vector<Point> corners;
+  std::vector<std::size_t> numbers;
 
-std::optional<Error> crossing_edges(const std::vector<Point>& corners) {
-  const std::size_t n = corners.size();
-  const auto edge = [&](std::size_t i) { return Line{corners[i], corners[(i + 1) % n]}; };
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const bool follows = j == i + 1;
-      const bool precedes = i == 0 && j == n - 1;
-      const bool wrong = follows    ? goes_back(edge(i), edge(j))
-                         : precedes ? goes_back(edge(j), edge(i))
-                                    : touch(edge(i), edge(j));
-      if (!wrong) continue;
-      return Error{Status::invalid_option,
-                   "the edges that begin at corners " + std::to_string(i + 1) + " and " +
-                       std::to_string(j + 1) + " cross or touch: a polygon must be simple",
-                   corner_name(i)};
-    }
+  std::size_t size() const { return corners.size(); }
+  Line edge(std::size_t i) const { return {corners[i], corners[(i + 1) % size()]}; }
+  std::string name(std::size_t i) const { return "corner " + std::to_string(numbers[i]); }
+};
+
+std::optional<Error> fault_of_numbers(const std::vector<Point>& corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (in_range(corners[i].x) && in_range(corners[i].y)) continue;
+    const std::string name = "corner " + std::to_string(i + 1);
+    return Error{Status::invalid_option,
+                 name + " has a coordinate that is NaN or not between -1e6 and 1e6", name};
   }
   return std::nullopt;
+}
+
+/// Drops corners that repeat the one before them, the first one after the last.
+Outline without_repeated(const std::vector<Point>& corners) {
+  Outline outline;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (!outline.corners.empty() && outline.corners.back() == corners[i]) continue;
+    outline.corners.push_back(corners[i]);
+    outline.numbers.push_back(i + 1);
+  }
+  while (outline.size() > 1 && outline.corners.front() == outline.corners.back()) {
+    outline.corners.pop_back();
+    outline.numbers.pop_back();
+  }
+  return outline;
+}
+
+std::optional<Error> fault_of_count(const Outline& outline, std::size_t given) {
+  if (outline.size() >= 3 && outline.size() <= Polygon::kMostCorners) return std::nullopt;
+  std::string message = "a polygon has 3 to " + std::to_string(Polygon::kMostCorners) +
+                        " corners, not " + std::to_string(outline.size());
+  if (outline.size() < given) {
+    message += " (" + std::to_string(given) + " with those that repeat the one before)";
+  }
+  return Error{Status::invalid_option, std::move(message)};
+}
+
+/// Of two edges that meet where they must not, i < j: why that is wrong.
+Error crossing_error(const Outline& outline, std::size_t i, std::size_t j) {
+  const std::string numbers =
+      std::to_string(outline.numbers[i]) + " and " + std::to_string(outline.numbers[j]);
+  const bool follows = j == i + 1;
+  const bool precedes = i == 0 && j + 1 == outline.size();
+  const std::string why =
+      follows || precedes ? "the outline turns back on itself at " + outline.name(follows ? j : i)
+                          : std::string("a polygon must be simple");
+  return {Status::invalid_option,
+          "the edges that begin at corners " + numbers + " cross or touch: " + why,
+          outline.name(i)};
+}
+
+bool meet_wrongly(const Outline& outline, std::size_t i, std::size_t j) {
+  if (j == i + 1) return goes_back(outline.edge(i), outline.edge(j));
+  if (i == 0 && j + 1 == outline.size()) return goes_back(outline.edge(j), outline.edge(i));
+  return touch(outline.edge(i), outline.edge(j));
+}
+
+/// The first two edges that cross, if any do. Compares only edges that have an x in common.
+std::optional<Error> crossing_edges(const Outline& outline) {
+  const auto low = [&](std::size_t i) {
+    return std::min(outline.edge(i).from.x, outline.edge(i).to.x);
+  };
+  const auto high = [&](std::size_t i) {
+    return std::max(outline.edge(i).from.x, outline.edge(i).to.x);
+  };
+  std::vector<std::size_t> order(outline.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+    return low(a) < low(b) || (low(a) == low(b) && a < b);
+  });
+  std::optional<std::pair<std::size_t, std::size_t>> first;
+  for (std::size_t a = 0; a < order.size(); ++a) {
+    const double end = high(order[a]);
+    for (std::size_t b = a + 1; b < order.size() && low(order[b]) <= end; ++b) {
+      const std::pair<std::size_t, std::size_t> edges = std::minmax(order[a], order[b]);
+      if (first && *first < edges) continue;
+      if (meet_wrongly(outline, edges.first, edges.second)) first = edges;
+    }
+  }
+  if (!first) return std::nullopt;
+  return crossing_error(outline, first->first, first->second);
 }
 
 }  // namespace
 
 Expected<Polygon, Error> Polygon::make(std::vector<Point> corners) {
-  if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  if (corners.size() < 3 || corners.size() > kMostCorners) {
-    return failure(Status::invalid_option, "a polygon has 3 to " + std::to_string(kMostCorners) +
-                                               " corners, not " + std::to_string(corners.size()));
+  if (auto fault = fault_of_numbers(corners)) return Unexpected<Error>(*std::move(fault));
+  Outline outline = without_repeated(corners);
+  if (auto fault = fault_of_count(outline, corners.size())) {
+    return Unexpected<Error>(*std::move(fault));
   }
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (auto fault = fault_of_corner(corners, i)) return Unexpected<Error>(*std::move(fault));
-  }
-  if (auto fault = crossing_edges(corners)) return Unexpected<Error>(*std::move(fault));
-  if (twice_signed_area(corners) < 0) {
-    std::reverse(corners.begin() + 1, corners.end());
+  if (auto fault = crossing_edges(outline)) return Unexpected<Error>(*std::move(fault));
+  if (twice_signed_area(outline.corners) < 0) {
+    std::reverse(outline.corners.begin() + 1, outline.corners.end());
+    std::reverse(outline.numbers.begin() + 1, outline.numbers.end());
     // Rounding depends on the order, and the corners of a valid polygon must be valid in its own.
-    if (auto fault = crossing_edges(corners)) return Unexpected<Error>(*std::move(fault));
+    if (auto fault = crossing_edges(outline)) return Unexpected<Error>(*std::move(fault));
   }
-  if (!(twice_signed_area(corners) > 0)) {
+  if (!(twice_signed_area(outline.corners) > 0)) {
     return failure(Status::invalid_option, "the polygon has no area");
   }
-  return Polygon(std::move(corners));
+  return Polygon(std::move(outline.corners));
 }
 
 double Polygon::area() const { return twice_signed_area(corners_) / 2; }

@@ -8,7 +8,7 @@
 //   const double gap = wend::distance_to_outline(*box, {0, 0});  // 0.25
 //
 // All corners are in one coordinate system: the robot's, in metres, or the grid's. Immutable. Cheap to
-// move; a copy copies the corners.
+// move; a copy copies the corners. What tests a polygon takes time linear in its corners.
 
 #include <cstddef>
 #include <span>
@@ -23,12 +23,15 @@ namespace wend {
 
 class WEND_API Polygon {
  public:
-  static constexpr std::size_t kMostCorners = 64;    // the most corners of a polygon
+  static constexpr std::size_t kMostCorners =
+      4096;  // the most corners of a polygon: a test of one pose reads them all
   static constexpr double kLargestCoordinate = 1e6;  // of a corner, either sign
 
-  /// Takes corners in either orientation. A last corner that repeats the first one is dropped.
-  /// Rejects fewer than 3 corners or more than kMostCorners, a coordinate that is NaN or larger than
-  /// kLargestCoordinate, two equal corners in a row, edges that cross or touch. O(corners^2).
+  /// Takes corners in either orientation. Of equal corners in a row all but the first are dropped, and so is a last
+  /// corner that repeats the first one. Corners may lie on a line with their neighbours. Rejects fewer than 3 corners
+  /// or more than kMostCorners, a coordinate that is NaN or larger than kLargestCoordinate, edges that cross or touch;
+  /// messages count corners as they are given. O(corners log corners) if few edges lie above each other, at most
+  /// O(corners^2).
   static Expected<Polygon, Error> make(std::vector<Point> corners);
 
   /// 3 to kMostCorners corners, counter-clockwise (from +x to +y).

@@ -76,17 +76,92 @@ TEST(Polygon, HasDistancesFromItsOutline) {
   EXPECT_EQ(square.scaled(0.5).area(), 1);
 }
 
+TEST(Polygon, LeavesOutCornersThatRepeatTheOneBefore) {
+  const std::vector<Point> repeated{{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 2},
+                                    {2, 2}, {0, 2}, {0, 0}, {0, 0}};
+  EXPECT_EQ(*Polygon::make(repeated), *Polygon::make(kSquare));
+}
+
+RC_GTEST_PROP(Polygon, IsTheSameWithRepeatedCorners, ()) {
+  const Polygon polygon = test::random_polygon();
+  std::vector<Point> corners;
+  for (const Point corner : polygon.corners()) {
+    corners.insert(corners.end(), static_cast<std::size_t>(*rc::gen::inRange(1, 4)), corner);
+  }
+  if (*rc::gen::arbitrary<bool>()) corners.push_back(corners.front());
+  RC_ASSERT(*Polygon::make(corners) == polygon);
+}
+
+TEST(Polygon, HasCornersOnItsEdges) {
+  const Polygon square = *Polygon::make({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0.5}});
+  EXPECT_EQ(square.corners().size(), 6);
+  EXPECT_EQ(square.area(), 4);
+}
+
+std::vector<Point> regular_polygon(std::size_t corners) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double angle = 2 * kPi * static_cast<double>(i) / static_cast<double>(corners);
+    points.push_back({std::cos(angle), std::sin(angle)});
+  }
+  return points;
+}
+
+TEST(Polygon, HasHundredsOfCorners) {
+  for (const std::size_t corners : {65U, 360U, 1000U, 4096U}) {
+    const auto circle = Polygon::make(regular_polygon(corners));
+    ASSERT_TRUE(circle) << circle.error().message;
+    EXPECT_EQ(circle->corners().size(), corners);
+    EXPECT_NEAR(circle->area(), kPi, 0.01);
+  }
+}
+
+TEST(Polygon, CountsCornersAsTheyAreGiven) {
+  const auto twice = Polygon::make({{0, 0}, {0, 0}, {1, 1}, {1, 1}, {1, 0}, {0, 1}});
+  ASSERT_FALSE(twice);
+  EXPECT_THAT(twice.error().message, HasSubstr("corners 1 and 5 cross"));
+  EXPECT_EQ(twice.error().where, "corner 1");
+  const auto back = Polygon::make({{0, 0}, {0, 0}, {2, 0}, {1, 0}, {1, 1}});
+  ASSERT_FALSE(back);
+  EXPECT_THAT(back.error().message, HasSubstr("the outline turns back on itself at corner 3"));
+}
+
+/// Edges that cross, found by comparing all of them.
+bool crosses_itself(const std::vector<Point>& corners) {
+  const std::size_t n = corners.size();
+  const auto side = [](Point a, Point b, Point c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const Point a = corners[i], b = corners[(i + 1) % n], c = corners[j],
+                  d = corners[(j + 1) % n];
+      if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;
+    }
+  }
+  return false;
+}
+
+RC_GTEST_PROP(Polygon, RefusesEdgesThatCross, ()) {
+  std::vector<Point> corners;
+  const int count = *rc::gen::inRange(3, 9);
+  for (int i = 0; i < count; ++i) {
+    corners.push_back({*rc::gen::inRange(-9, 10) / 1.0, *rc::gen::inRange(-9, 10) / 1.0});
+  }
+  const auto polygon = Polygon::make(corners);
+  if (crosses_itself(corners)) RC_ASSERT(!polygon.has_value());
+  if (!polygon) RC_ASSERT(!polygon.error().message.empty());
+}
+
 TEST(Polygon, RefusesWhatIsNotASimplePolygon) {
   const auto message = [](std::vector<Point> corners) {
     const auto polygon = Polygon::make(std::move(corners));
     return polygon ? std::string("none") : polygon.error().message;
   };
-  EXPECT_THAT(message({{0, 0}, {1, 0}}), HasSubstr("3 to 64 corners, not 2"));
-  std::vector<Point> round;
-  for (int i = 0; i < 65; ++i) round.push_back({std::cos(0.09 * i), std::sin(0.09 * i)});
-  EXPECT_THAT(message(round), HasSubstr("3 to 64 corners, not 65"));
-  EXPECT_THAT(message({{0, 0}, {1, 0}, {1, 0}, {0, 1}}),
-              HasSubstr("corner 2 and the corner after"));
+  EXPECT_THAT(message({{0, 0}, {1, 0}}), HasSubstr("3 to 4096 corners, not 2"));
+  EXPECT_THAT(message(regular_polygon(4097)), HasSubstr("3 to 4096 corners, not 4097"));
+  EXPECT_THAT(message({{0, 0}, {0, 0}, {1, 0}, {1, 0}, {0, 0}}),
+              HasSubstr("corners, not 2 (5 with those that repeat the one before)"));
   EXPECT_THAT(message({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), HasSubstr("corners 1 and 3 cross"));
   EXPECT_THAT(message({{0, 0}, {2, 0}, {1, 0}}), HasSubstr("cross or touch"));
   EXPECT_THAT(message({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}), HasSubstr("cross or touch"));

@@ -193,8 +193,7 @@ class PosesOnPath {
 RC_GTEST_PROP(PathCollision, OfAPolygonIsNotAfterTheFirstSampleThatOverlaps, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const GridMap map = test::random_map(random, random.between(2, 9), random.between(2, 9));
-  const Polygon outline =
-      *rc::gen::arbitrary<bool>() ? test::random_polygon() : test::random_right_angled_polygon();
+  const Polygon outline = test::random_outline();
   const FreeSpace space = *make_free_space(
       map, {.footprint = *Footprint::polygon(outline.scaled(map.frame().resolution)),
             .outside = test::random_outside(random)});

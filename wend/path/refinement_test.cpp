@@ -103,8 +103,7 @@ bool is_narrow(const Path& path, const FreeSpace& space) {
 RC_GTEST_PROP(Refinement, OfAPolygonsPathStaysFree, ()) {
   Random random(*rc::gen::arbitrary<std::uint32_t>());
   const GridMap map = test::random_map(random, random.between(4, 20), random.between(4, 20));
-  const Polygon outline =
-      *rc::gen::arbitrary<bool>() ? test::random_polygon(1.5) : test::random_right_angled_polygon();
+  const Polygon outline = test::random_outline(1.5);
   const FreeSpace space = *make_free_space(
       map, {.footprint = *Footprint::polygon(outline.scaled(map.frame().resolution)),
             .outside = test::random_outside(random)});

@@ -1,6 +1,8 @@
 #include "wend/render/legend.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "wend/render/terminal/glyphs.hpp"
 
@@ -59,16 +61,25 @@ void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   add(has_arrows(scene), Swatch::arrow, style.arrows, "way to move", ' ');
 }
 
+/// Are there free cells where the robot cannot stand? Blocked cells in which it can put its base point do not count.
+bool has_cells_too_close(const Scene& scene) {
+  const BitGrid& blocked = scene.space.obstacles().blocked();
+  std::uint64_t within = 0;
+  for (int y = 0; y < blocked.height(); ++y) {
+    const auto row = blocked.row_words(y);
+    const auto standing = standable(scene).row_words(y);
+    for (std::size_t i = 0; i < row.size(); ++i) within += std::popcount(row[i] | standing[i]);
+  }
+  return within < scene.space.map().size();
+}
+
 void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& items) {
   const auto add = [&](const Colour& colour, const char* label, char character) {
     items.push_back({Swatch::cell, colour, label, {}, character});
   };
   if (scene.unit && scene.space.obstacles().blocked().count() > 0)
     add(style.occupied, "obstacle", '#');
-  const FreeSpace& space = scene.space;
-  const bool too_close =
-      standable(scene).count() + space.obstacles().blocked().count() < space.map().size();
-  if (too_close) add(style.too_close, "too close", ':');
+  if (has_cells_too_close(scene)) add(style.too_close, "too close", ':');
   if (!scene.heatmap && !scene.space.map().uniform_terrain()) {
     add(style.rough(kTypicallyRough), scene.unit ? "rough road" : "rough", '~');
     if (style.stripes_all_rough) {

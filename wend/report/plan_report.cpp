@@ -54,6 +54,7 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   }
   json["robot_radius"] = result.footprint.circumscribed_radius();
   json["footprint"] = text_of(result.footprint);
+  json["notes"] = result.notes;
   json["metrics"] = json_of(result.plan.metrics);
   json["times"] = json_of(result.times);
   if (result.anytime) json["solutions"] = json_of(result.solutions);

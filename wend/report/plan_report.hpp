@@ -112,6 +112,8 @@ struct PlanResult {
   std::vector<TimedSolution> solutions{};  // of an anytime planner, in order
   int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
   Footprint footprint{};
+  std::vector<std::string> notes{};  // sentences, as PlanAnswer::notes
+  std::string planned_as_disc{};     // Explainer::planned_as_disc()
 };
 
 /// One line with its line end.

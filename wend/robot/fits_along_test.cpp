@@ -26,8 +26,7 @@ double draw(int low, int high, double per_unit) { return *rc::gen::inRange(low, 
 FreeSpace any_space() {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const GridMap map = test::random_map(random, random.between(3, 9), random.between(3, 9));
-  const Polygon outline =
-      *rc::gen::arbitrary<bool>() ? test::random_polygon() : test::random_right_angled_polygon();
+  const Polygon outline = test::random_outline();
   const Footprint footprint = *Footprint::polygon(outline.scaled(map.frame().resolution));
   return *make_free_space(map, {.footprint = footprint, .outside = test::random_outside(random)});
 }
@@ -145,6 +144,20 @@ RC_GTEST_PROP(PolygonFitsAlong, EverythingThatItsDiscDoes, ()) {
     if (disc_fits_along(space, line)) RC_ASSERT(fits_along(space, line));
     if (disc_fits_along(space, arc)) RC_ASSERT(fits_along(space, arc));
   }
+}
+
+/// The base point of a fork may be in the rack behind it, not the fork.
+TEST(PolygonFits, WithItsBasePointInAnObstacle) {
+  const Footprint fork = *parse_footprint("2.9,0.4; 0.6,0.4; 0.6,-0.4; 2.9,-0.4");
+  const FreeSpace space = test::drawn_space("?......\n#......\n.......",
+                                            {.footprint = fork, .outside = OutsidePolicy::blocked});
+  for (const double y : {0.5, 1.5}) EXPECT_TRUE(space.fits({0.5, y, 0}));
+  EXPECT_FALSE(space.passable(Cell{0, 1}));
+  EXPECT_TRUE(space.possible()[(Cell{0, 1})]);
+  EXPECT_TRUE(fits_along(space, Line{{0.5, 1.5}, {3.5, 1.5}}));
+  EXPECT_EQ(space.why_blocked(Pose{0.5, 1.5, kPi / 2}), BlockReason::leaves);
+  EXPECT_EQ(space.why_blocked(Pose{3.5, 1.5, kPi}), BlockReason::overlaps);
+  EXPECT_EQ(space.why_blocked(Pose{-0.1, 1.5, 0}), BlockReason::outside) << "it stays on the map";
 }
 
 const Footprint kLong = *parse_footprint("1.4,0.5;-1.4,0.5;-1.4,-0.5;1.4,-0.5");

@@ -1,6 +1,7 @@
 #include "wend/robot/footprint.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -8,12 +9,14 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/box.hpp"
 #include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
 
 constexpr std::string_view kDisc = "disc:";
+constexpr std::string_view kRectangle = "rect:";
 constexpr std::string_view kBlanks = " ";
 constexpr std::size_t kLongestQuote = 40;  // bytes of a wrong text that an error repeats
 
@@ -94,6 +97,81 @@ Expected<Footprint, Error> disc_of(std::string_view text) {
   return Footprint::disc(radius);
 }
 
+/// Reads "LENGTHxWIDTH" or "LENGTHxWIDTH,AHEAD".
+Expected<Footprint, Error> rectangle_of(std::string_view text) {
+  const auto wrong = [&](const std::string& why) {
+    return failure(Status::invalid_option, "the rectangle " + quoted(text) + ": " + why);
+  };
+  const auto parts = split(text, ',');
+  const auto sides = split(parts.front(), 'x');
+  if (parts.size() > 2 || sides.size() != 2) {
+    return wrong("write rect:LENGTHxWIDTH, or rect:LENGTHxWIDTH,AHEAD");
+  }
+  std::array<double, 3> numbers{};
+  const std::array texts{sides[0], sides[1], parts.size() == 2 ? parts[1] : std::string_view("0")};
+  constexpr std::array<std::string_view, 3> kNames{"length", "width", "distance ahead"};
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const auto number = parse_number(texts[i]);
+    if (!number)
+      return wrong("its " + std::string(kNames[i]) + ", " + quoted(texts[i]) + ", is not a number");
+    numbers[i] = *number;
+  }
+  return Footprint::rectangle(numbers[0], numbers[1], numbers[2]);
+}
+
+/// Looks for a large disc in a polygon near the base point, which lies outside. It tells where the base point can be:
+/// the larger the disc and the nearer, the better.
+class InnerDiscSearch {
+ public:
+  explicit InnerDiscSearch(const Polygon& outline)
+      : outline_(outline), best_(outline.corners().front()), most_(value_at(best_)) {}
+
+  /// A search by pattern, from the best of a lattice of points.
+  InnerDisc run() {
+    Box box(best_);
+    for (const Point corner : outline_.corners()) box.include(corner);
+    const double width = box.high.x - box.low.x;
+    const double height = box.high.y - box.low.y;
+    constexpr int kPoints = 16;
+    for (int i = 1; i < kPoints; ++i) {
+      for (int j = 1; j < kPoints; ++j) {
+        offer({box.low.x + width * i / kPoints, box.low.y + height * j / kPoints});
+      }
+    }
+    double step = std::max(width, height) / kPoints;
+    constexpr int kTries = 64;
+    for (int i = 0; i < kTries; ++i) {
+      const double before = most_;
+      for (const Point by : {Point{step, 0}, Point{-step, 0}, Point{0, step}, Point{0, -step}}) {
+        offer({best_.x + by.x, best_.y + by.y});
+      }
+      if (most_ == before) step /= 2;
+    }
+    const double radius = depth(best_);
+    return radius > 0 ? InnerDisc{best_, radius} : InnerDisc{outline_.corners().front(), 0};
+  }
+
+ private:
+  /// How far a point is inside; negative outside.
+  double depth(Point point) const {
+    const double away = distance_to_outline(outline_, point);
+    return is_inside(outline_.corners(), point) ? away : -away;
+  }
+
+  double value_at(Point point) const { return 2 * depth(point) - distance(Point{0, 0}, point); }
+
+  void offer(Point point) {
+    const double value = value_at(point);
+    if (value <= most_) return;
+    best_ = point;
+    most_ = value;
+  }
+
+  const Polygon& outline_;
+  Point best_;
+  double most_;
+};
+
 /// Counter-clockwise, without points on its edges: A. Andrew's monotone chains, 1979.
 std::vector<Point> convex_hull(std::vector<Point> points) {
   constexpr double kFlat = 1e-12;
@@ -121,17 +199,38 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
 
 Expected<Footprint, Error> Footprint::polygon(Polygon outline) {
   const Point base{0, 0};
-  if (!outline.contains(base)) {
-    return failure(Status::invalid_option,
-                   "the polygon does not contain the robot's base point (0, 0)");
-  }
-  Footprint footprint(distance_to_outline(outline, base), farthest_distance(outline, base));
+  Footprint footprint(0, farthest_distance(outline, base));
+  footprint.covers_base_ = outline.contains(base);
+  footprint.inner_ = footprint.covers_base_ ? InnerDisc{base, distance_to_outline(outline, base)}
+                                            : InnerDiscSearch(outline).run();
   footprint.polygon_ = std::make_shared<const Polygon>(std::move(outline));
   return footprint;
 }
 
+Expected<Footprint, Error> Footprint::rectangle(double length, double width, double ahead) {
+  constexpr double kLargest = Polygon::kLargestCoordinate;
+  const auto wrong = [](const std::string& name, double value, double least) {
+    return failure(Status::invalid_option,
+                   "the rectangle's " + name + " is " + format_number(value) + ": a number " +
+                       (least < 0 ? "from -1e6" : "above 0") + " to 1e6 expected",
+                   name);
+  };
+  if (!(length > 0 && length <= kLargest)) return wrong("length", length, 0);
+  if (!(width > 0 && width <= kLargest)) return wrong("width", width, 0);
+  if (!(std::abs(ahead) <= kLargest)) return wrong("distance ahead", ahead, -kLargest);
+  const double front = ahead + length / 2;
+  const double rear = ahead - length / 2;
+  const double side = width / 2;
+  auto outline = Polygon::make({{front, side}, {rear, side}, {rear, -side}, {front, -side}});
+  if (!outline) return Unexpected<Error>(std::move(outline).error());
+  return polygon(*std::move(outline));
+}
+
 Footprint Footprint::scaled(double factor) const {
-  Footprint footprint(inscribed_ * factor, circumscribed_ * factor);
+  Footprint footprint = *this;
+  const Point centre = inner_.centre;
+  footprint.inner_ = {{centre.x * factor, centre.y * factor}, inner_.radius * factor};
+  footprint.circumscribed_ *= factor;
   if (polygon_) footprint.polygon_ = std::make_shared<const Polygon>(polygon_->scaled(factor));
   return footprint;
 }
@@ -161,6 +260,7 @@ Expected<Footprint, Error> parse_footprint(std::string_view typed) {
   const std::string_view text = trimmed(line);
   if (text == "point") return Footprint();
   if (text.starts_with(kDisc)) return disc_of(trimmed(text.substr(kDisc.size())));
+  if (text.starts_with(kRectangle)) return rectangle_of(trimmed(text.substr(kRectangle.size())));
   if (text.starts_with('[')) {
     const auto corners = corners_in_brackets(text);
     if (corners) return polygon_of(*corners);
@@ -171,8 +271,8 @@ Expected<Footprint, Error> parse_footprint(std::string_view typed) {
   if (corners.size() > 1 && corners.back().empty()) corners.pop_back();
   if (corners.size() > 1) return polygon_of(corners);
   std::string message = quoted(text) +
-                        " is not a footprint: give corners 'x,y;x,y;x,y', or "
-                        "'disc:RADIUS'";
+                        " is not a footprint: give corners 'x,y;x,y;x,y', "
+                        "'rect:LENGTHxWIDTH', or 'disc:RADIUS'";
   if (parse_number(text) && text.size() < kLongestQuote)
     message += "; did you mean 'disc:" + std::string(text) + "'?";
   return failure(Status::invalid_option, std::move(message));

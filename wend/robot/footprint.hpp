@@ -2,11 +2,14 @@
 
 // Footprint: the shape of a robot on the ground: a point, a disc or a polygon. In metres, in the
 // robot's own coordinates: the origin is the base point, which paths and poses refer to, +x is ahead,
-// and headings grow towards +y (left, if the map is drawn with y up).
+// and headings grow towards +y (left, if the map is drawn with y up). A polygon need not contain the base
+// point, as that of a forklift whose base point lies between its rear wheels, behind the body: the polygon alone decides
+// where the robot fits, and its base point may be above an obstacle.
 //
 //   const auto robot = wend::parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25");
 //   if (!robot) return report(robot.error().message);
 //   const double radius = robot->circumscribed_radius();  // 0.47 m
+//   const auto car = wend::Footprint::rectangle(4.2, 1.8, 1.35);  // base point between the rear wheels
 //
 // A value type; copies share the polygon, also between threads.
 
@@ -17,8 +20,17 @@
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/polygon.hpp"
+#include "wend/geometry/pose.hpp"
 
 namespace wend {
+
+/// A disc that a shape covers, in the shape's coordinates.
+struct InnerDisc {
+  Point centre = {};
+  double radius = 0;
+
+  friend bool operator==(const InnerDisc&, const InnerDisc&) = default;
+};
 
 class WEND_API Footprint {
  public:
@@ -30,8 +42,14 @@ class WEND_API Footprint {
   /// A disc around the base point. A radius of 0 is a point.
   static Footprint disc(double radius) { return {radius, radius}; }
 
-  /// Fails unless the polygon contains the base point, inside or on its outline.
+  /// Any polygon; the base point may lie inside, on its outline or outside. Never fails. O(corners), times some
+  /// hundred if the base point lies outside.
   static Expected<Footprint, Error> polygon(Polygon outline);
+
+  /// A rectangle along the axes. Its centre lies `ahead` metres ahead of the base point (behind it if negative): of a
+  /// car whose base point is between its rear wheels, half the wheelbase if it reaches as far beyond the front wheels as
+  /// beyond the rear ones. Fails if a length is not above 0, or not finite, or too large for a polygon.
+  static Expected<Footprint, Error> rectangle(double length, double width, double ahead = 0);
 
   /// Is it a point, or a disc of radius 0?
   bool is_point() const { return !polygon_ && circumscribed_ == 0; }
@@ -39,9 +57,16 @@ class WEND_API Footprint {
   /// The outline; null for a point or a disc.
   const Polygon* outline() const { return polygon_.get(); }
 
+  /// Does the shape cover the base point, inside or on its outline?
+  bool covers_base_point() const { return covers_base_; }
+
   /// The radius of the largest disc around the base point that the shape covers: where this disc does
-  /// not fit, the robot fits with no heading.
-  double inscribed_radius() const { return inscribed_; }
+  /// not fit, the robot fits with no heading. 0 if the base point lies on the outline of a polygon or outside.
+  double inscribed_radius() const { return covers_base_ ? inner_.radius : 0; }
+
+  /// A disc that the shape covers: the largest one around the base point, or a large one near it if the shape
+  /// does not cover the base point. Where it does not fit, the robot does not fit.
+  const InnerDisc& inner_disc() const { return inner_; }
 
   /// The radius of the smallest disc around the base point that covers the shape: where this disc
   /// fits, the robot fits with every heading.
@@ -67,19 +92,21 @@ class WEND_API Footprint {
 
  private:
   Footprint(double inscribed, double circumscribed)
-      : inscribed_(inscribed), circumscribed_(circumscribed) {}
+      : inner_{{}, inscribed}, circumscribed_(circumscribed) {}
 
-  double inscribed_ = 0;
+  InnerDisc inner_;
   double circumscribed_ = 0;
+  bool covers_base_ = true;
   std::shared_ptr<const Polygon> polygon_;
 };
 
-/// Reads "point", "disc:0.2" or the corners of a polygon, written as "0.4,0.25; 0.4,-0.25; -0.3,0" or
-/// like ROS costmaps as "[[0.4, 0.25], [0.4, -0.25], [-0.3, 0]]". Blanks between numbers and
-/// punctuation do not matter.
+/// Reads "point", "disc:0.2", "rect:LENGTHxWIDTH", "rect:LENGTHxWIDTH,AHEAD" (as Footprint::rectangle()) or the
+/// corners of a polygon, written as "0.4,0.25; 0.4,-0.25; -0.3,0" or like ROS costmaps as
+/// "[[0.4, 0.25], [0.4, -0.25], [-0.3, 0]]". Blanks between numbers and punctuation do not matter.
 WEND_API Expected<Footprint, Error> parse_footprint(std::string_view typed);
 
-/// Writes the first of these notations; parse_footprint() reads it back as the same footprint.
+/// Writes a point, a disc, or the corners of a polygon in the first of these notations; parse_footprint() reads it
+/// back as the same footprint.
 WEND_API std::string text_of(const Footprint& footprint);
 
 }  // namespace wend

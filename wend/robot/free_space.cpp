@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "wend/base/choice.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/robot/cell_costs.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/point_sweep.hpp"
@@ -26,10 +28,13 @@ double least_squared_half_cells_of(const Robot& robot, const Obstacles& obstacle
                                   obstacles.map().frame().resolution);
 }
 
-/// The same for cells that are possible.
-double least_to_be_possible(const Robot& robot, const Obstacles& obstacles) {
-  return least_squared_half_cells(robot.footprint.inscribed_radius() /
-                                  obstacles.map().frame().resolution);
+/// The same for cells in which the inner disc fits: around the middle, or, if the base point lies outside the polygon,
+/// somewhere.
+double least_for_inner_disc(const Robot& robot, const Obstacles& obstacles) {
+  constexpr double kToCorner = std::numbers::sqrt2 / 2 + 1e-6;
+  const double radius = robot.footprint.inner_disc().radius / obstacles.map().frame().resolution;
+  return least_squared_half_cells(
+      robot.footprint.covers_base_point() ? radius : std::max(radius - kToCorner, 0.0));
 }
 
 /// Sets the bits in a box of the map: of the cells whose clearance is large enough. Every cell that is not
@@ -115,7 +120,9 @@ std::string_view describe(BlockReason reason) {
 }
 
 double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options) {
-  const double bits = (options.footprint.outline() ? 3.0 : 2.0) / 8;  // blocked, passable, possible
+  // Blocked, passable, possible; where the base point lies outside, also the cells of the inner disc.
+  const double planes = options.footprint.covers_base_point() ? 3.0 : 4.0;
+  const double bits = (options.footprint.outline() ? planes : 2.0) / 8;
   const double reach = reach_of(map.frame().resolution, options.robot());
   const bool all_distances = reach > CappedDistances::kLargestCap;
   const double distances = all_distances ? sizeof(std::uint32_t) : sizeof(std::int16_t);
@@ -152,8 +159,26 @@ FreeSpace::Data::Data(Obstacles its_obstacles, Robot its_robot)
   const double resolution = obstacles.map().frame().resolution;
   if (robot.footprint.outline()) {
     outline = robot.footprint.outline()->scaled(1 / resolution);
-    possible = cells_with_clearance(obstacles, distances, least_to_be_possible(robot, obstacles));
+    possible = BitGrid(passable.width(), passable.height());
+    if (!robot.footprint.covers_base_point()) {
+      const Point centre = robot.footprint.inner_disc().centre;
+      ring.emplace(hypotenuse(centre.x, centre.y) / resolution, BasePlace::middle);
+      inner_disc_cells = possible;
+    }
+    select_possible(CellBox::of(passable));
   }
+}
+
+/// Finds the possible cells after a change in a box.
+void FreeSpace::Data::select_possible(const CellBox& box) {
+  const double least = least_for_inner_disc(robot, obstacles);
+  if (!ring) {
+    select_cells(obstacles, distances, least, box, possible);
+    return;
+  }
+  select_cells(obstacles, distances, least, box, inner_disc_cells);
+  ring->spread(inner_disc_cells, obstacles.outside() == OutsidePolicy::free,
+               box.grown_by(ring->reach()).clipped_to(possible), possible);
 }
 
 CellBox FreeSpace::Data::repair(const CellBox& edited) {
@@ -162,10 +187,8 @@ CellBox FreeSpace::Data::repair(const CellBox& edited) {
     changed = changed.joined_with(distances.repair(obstacles.blocked(), edited));
   }
   select_cells(obstacles, distances, least_squared_half_cells, changed, passable);
-  if (outline) {
-    select_cells(obstacles, distances, least_to_be_possible(robot, obstacles), changed, possible);
-  }
-  return changed;
+  if (outline) select_possible(changed);
+  return ring ? changed.grown_by(ring->reach()).clipped_to(possible) : changed;
 }
 
 /// Can costs and distances be repaired? Else the space is made anew, which fails if a cell costs too much.
@@ -234,7 +257,8 @@ std::optional<BlockReason> FreeSpace::why_blocked(const Pose& pose) const {
   const bool in_obstacle = obstacles().blocked()[cell];
   if (outline()) {
     const auto reason = PolygonSweep(*this).why_blocked(pose);
-    if (reason != BlockReason::overlaps || !in_obstacle) return reason;
+    const bool base_decides = in_obstacle && footprint().covers_base_point();
+    if (reason != BlockReason::overlaps || !base_decides) return reason;
   } else if (disc_fits_along(*this, Line{point, point})) {
     return std::nullopt;
   }

@@ -5,12 +5,13 @@
 //
 // A disc of radius r may stand where its centre is at least r away from every closed blocked square
 // (touching is allowed; r = 0 is a point, which must stay out of their interior). A polygon may stand
-// where it overlaps the interior of no blocked square. The base point stays on the map. OutsidePolicy
-// says whether the shape may hang over the map's edge; if not, the edge counts in clearance like an
-// obstacle's.
+// where it overlaps the interior of no blocked square; its base point may lie outside it, and then also
+// above an obstacle or an unknown cell. The base point stays on the map. OutsidePolicy says whether the
+// shape may hang over the map's edge; if not, the edge counts in clearance like an obstacle's.
 //
-// Grid planners do not know headings. They use the circumscribed disc of a polygon, with which it fits
-// at every heading: this never misses an obstacle, but may miss a narrow passage.
+// Grid planners do not know headings. They use the circumscribed disc of a polygon, the one around its
+// base point, with which it fits at every heading: this never misses an obstacle, but may miss a narrow
+// passage.
 //
 // A clearance cost makes cells near obstacles cost more, smoothly, up to a distance. Paths then keep
 // their distance where there is room, and still use narrow passages. With d = clearance - r, the free
@@ -52,6 +53,7 @@
 #include "wend/map/grid.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/map/obstacles.hpp"
+#include "wend/robot/disc_ring.hpp"
 #include "wend/robot/footprint.hpp"
 #include "wend/robot/motion_primitives.hpp"
 #include "wend/robot/space_attachments.hpp"
@@ -134,11 +136,16 @@ class WEND_API FreeSpace {
   /// The cells in whose middle the robot may stand at every heading.
   const BitGrid& passable() const { return data_->passable; }
 
-  /// The cells in whose middle the robot may be able to stand at some heading: its inscribed disc fits.
-  /// They include the passable cells; for a point or a disc the two sets are equal.
+  /// The cells in whose middle the robot may be able to stand at some heading: its inner disc fits there
+  /// at one. They include the passable cells; for a point or a disc the two sets are equal. Where the base
+  /// point lies outside a polygon, blocked cells may be among them.
   const BitGrid& possible() const {
     return data_->possible.width() == 0 ? data_->passable : data_->possible;
   }
+
+  /// The cells in which the centre of the robot's inner disc (Footprint::inner_disc()) can be somewhere.
+  /// Empty unless the base point lies outside a polygon.
+  const BitGrid& inner_disc_cells() const { return data_->inner_disc_cells; }
 
   /// May the robot stand at this pose, in grid coordinates? Exact up to rounding. O(1) if the clearance
   /// of a cell decides, else O(cells that the robot covers, times its corners).
@@ -249,7 +256,9 @@ class WEND_API FreeSpace {
     std::shared_ptr<const CellCosts> cell_costs;  // of the robot
     CappedDistances distances;  // as far as the robot needs them; empty if it needs none, or more
     BitGrid passable;
-    BitGrid possible;  // empty if it is the same
+    BitGrid possible;              // empty if it is the same
+    std::optional<DiscRing> ring;  // where the base point lies outside a polygon
+    BitGrid inner_disc_cells = {};
     CostMap costs;
     Lazy<ConnectedComponents> components = {};
     SpaceAttachments attachments = {};
@@ -258,6 +267,9 @@ class WEND_API FreeSpace {
     /// Computes what follows from a box of cells in which the map has changed. Returns the box in which
     /// anything may have changed.
     CellBox repair(const CellBox& edited);
+
+   private:
+    void select_possible(const CellBox& box);
   };
 
   CopyOnWrite<Data> data_;

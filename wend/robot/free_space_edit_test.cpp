@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@ constexpr Adjacency kAdjacencies[] = {Adjacency::edges, Adjacency::edges_and_cor
 Footprint random_footprint(Random& random, double resolution) {
   const double size = (0.3 + 2 * random.uniform()) * resolution;
   if (random.chance(0.7)) return Footprint::disc(random.chance(0.05) ? 70 * resolution : size);
-  return *Footprint::polygon(*Polygon::make(
-      {{size, size / 2}, {-size / 2, size / 2}, {-size / 2, -size / 2}, {size, -size / 2}}));
+  // The base point is inside, on the rear edge or behind it.
+  const auto ahead = test::one_of<double>(random, std::array{0.25 * size, 0.75 * size, 2 * size});
+  return *Footprint::rectangle(1.5 * size, size, ahead);
 }
 
 FreeSpaceOptions random_robot_of_any_shape(Random& random, double resolution) {

@@ -77,13 +77,15 @@ class PassedSquares {
 
 PlacedPolygon::PlacedPolygon(const Polygon& polygon, const Pose& pose)
     : size_(polygon.corners().size()), box_(pose.point()) {
+  if (size_ > kFew) many_.resize(size_);
+  const std::span<Point> corners = size_ > kFew ? std::span<Point>(many_) : few_;
   const auto [sine, cosine] = sine_and_cosine(pose.heading);
   for (std::size_t i = 0; i < size_; ++i) {
     const Point corner = polygon.corners()[i];
-    corners_[i] = {pose.x + cosine * corner.x - sine * corner.y,
-                   pose.y + sine * corner.x + cosine * corner.y};
-    if (i == 0) box_ = Box(corners_[i]);
-    box_.include(corners_[i]);
+    corners[i] = {pose.x + cosine * corner.x - sine * corner.y,
+                  pose.y + sine * corner.x + cosine * corner.y};
+    if (i == 0) box_ = Box(corners[i]);
+    box_.include(corners[i]);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/box.hpp"
@@ -30,7 +31,9 @@ class WEND_API PlacedPolygon {
   PlacedPolygon(const Polygon& polygon, const Pose& pose);
 
   /// The corners in grid coordinates.
-  std::span<const Point> corners() const { return {corners_.data(), size_}; }
+  std::span<const Point> corners() const {
+    return size_ <= kFew ? std::span<const Point>(few_.data(), size_) : many_;
+  }
 
   /// The box around all corners.
   const Box& box() const { return box_; }
@@ -49,9 +52,15 @@ class WEND_API PlacedPolygon {
   double distance_to(Cell square) const;
 
  private:
-  Line edge(std::size_t i) const { return {corners_[i], corners_[i + 1 == size_ ? 0 : i + 1]}; }
+  static constexpr std::size_t kFew = 64;  // corners that need no memory of their own
 
-  std::array<Point, Polygon::kMostCorners> corners_;
+  Line edge(std::size_t i) const {
+    const std::span<const Point> all = corners();
+    return {all[i], all[i + 1 == size_ ? 0 : i + 1]};
+  }
+
+  std::array<Point, kFew> few_;
+  std::vector<Point> many_;
   std::size_t size_;
   Box box_;
 };

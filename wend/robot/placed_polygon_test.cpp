@@ -12,9 +12,7 @@
 namespace wend {
 namespace {
 
-Polygon any_polygon() {
-  return *rc::gen::arbitrary<bool>() ? test::random_polygon() : test::random_right_angled_polygon();
-}
+Polygon any_polygon() { return test::random_outline(); }
 
 Pose any_pose() {
   if (*rc::gen::arbitrary<bool>()) {

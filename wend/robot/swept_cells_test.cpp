@@ -38,7 +38,8 @@ GridMap with_obstacle(int width, int height, Cell cell) {
 Footprint random_shape(Random& random, double grown) {
   const double length = between(random, 0.3, 3);
   const double width = between(random, 0.3, 2);
-  const double ahead = between(random, 0, length);
+  const double ahead =
+      between(random, -1, length + 1);  // of the front; the base point may be outside
   switch (random.below(4)) {
     case 0:
       return {};

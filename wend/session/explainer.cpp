@@ -141,6 +141,14 @@ std::string Explainer::too_near(const Place& place, std::string_view obstacle) c
          std::string(radius) + " is " + units_.length(space_.radius_in_cells());
 }
 
+std::string Explainer::planned_as_disc(const Planner& planner) const {
+  const bool by_disc = planner.grid_moves().has_value() || planner.corner_unit() > 0;
+  if (space_.outline() == nullptr || !by_disc) return {};
+  return "planned as the disc around its base point that covers its footprint, radius " +
+         units_.length(space_.radius_in_cells()) +
+         "; hybrid_astar and lattice plan with the footprint itself";
+}
+
 std::string Explainer::blocked_end(const Place& place, const Place& other) const {
   std::string text = blocked(place);
   if (!space_.passable(other.cell)) text += ". Also, " + blocked(other);

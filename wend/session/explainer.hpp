@@ -77,6 +77,10 @@ class WEND_API Explainer {
   /// The same for a planner with headings, by Planner::nearest_free(). An end stays if there is no free place.
   std::vector<std::string> move_to_nearest(Query& query, const Planner& planner) const;
 
+  /// A sentence about a polygon for which the planner takes the disc around it, as planners on cells do: the radius,
+  /// and which planners plan with the polygon itself. Empty for other robots and planners.
+  std::string planned_as_disc(const Planner& planner) const;
+
   /// Why a search was stopped: "stopped after 1000 expansions"; for other statuses, what they mean.
   std::string stopped(Status status, const Limits& limits, const SearchMetrics& metrics) const;
 

@@ -58,8 +58,9 @@ struct PlanAnswer {
   std::optional<Refined> refined = {};        // if a refinement was asked for
   std::optional<Trajectory> trajectory = {};  // if one was asked for
   std::optional<Error> fault = {};            // why the path could not be refined or timed
-  std::vector<std::string> notes = {};        // a sentence for each end that was moved
-  double search_seconds = 0;                  // by SessionOptions::clock
+  std::vector<std::string> notes = {};  // a sentence for each end that was moved, and one if a
+                                        // polygon was planned for as the disc around it
+  double search_seconds = 0;            // by SessionOptions::clock
 
   /// The path, refined if it could be; in grid coordinates.
   const Path& path() const { return refined ? refined->path : plan.path; }

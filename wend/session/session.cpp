@@ -230,6 +230,8 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
                                       : planner.reason(query, status);
     return no_plan(PlanFailure{{status, std::move(why)}, metrics}, answer.search_seconds);
   }
+  auto disc = explainer.planned_as_disc(planner);
+  if (!disc.empty()) answer.notes.push_back("the robot is " + std::move(disc));
   finish_path(answer, request);
   return answer;
 }

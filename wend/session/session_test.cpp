@@ -126,6 +126,26 @@ TEST(Session, MovesBlockedEndsIfAsked) {
   EXPECT_NEAR(answer->poses().front().x, 2.95, 1e-9);
 }
 
+TEST(Session, SaysThatAPlannerOnCellsTakesTheDiscAroundAPolygon) {
+  Session session(walled_room(), {.footprint = *parse_footprint("rect:0.2x0.1,0.1")});
+  PlanRequest request = across();
+  request.explain = false;
+  const auto notes_of = [&](const char* planner) {
+    request.planner = PlannerSpec{planner};
+    const auto answer = session.plan(request);
+    EXPECT_TRUE(answer) << planner << ": " << answer.error().message;
+    return answer ? answer->notes : std::vector<std::string>();
+  };
+  const auto notes = notes_of("astar");
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes.front().find("the robot is planned as the disc around its base point"),
+            std::string::npos)
+      << notes.front();
+  EXPECT_TRUE(notes_of("hybrid_astar").empty());
+  session.set_robot({.footprint = Footprint::disc(0.05)});
+  EXPECT_TRUE(notes_of("astar").empty());
+}
+
 TEST(Session, MovesEachOfSeveralBlockedGoals) {
   Session session(walled_room());
   PlanRequest request = across();

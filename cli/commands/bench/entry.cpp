@@ -61,7 +61,9 @@ GridMoves typed_moves(const PlannerSpec& spec) {
 void set_moves(PlannerSpec& spec, const PlannerInfo& info, GridMoves moves) {
   if (info.capabilities.headings) {
     throw InputError(fmt::format(
-        "{}: scenarios support grid planners only, and this planner is for a car", spec.text));
+        "{}: scenarios support grid planners only, and this planner plans for a robot with a "
+        "heading; `wend compare` takes it",
+        spec.text));
   }
   const GridMoves own = typed_moves(spec);
   if (own != GridMoves{} && own != moves) {

@@ -107,7 +107,8 @@ std::string fault_of_primitives(std::string_view file) {
 
 constexpr std::array kTexts{
     TextParameter{kFootprint,
-                  "the robot's shape in place of robot_radius: [[x, y], ...] in m, x ahead",
+                  "the robot's shape in place of robot_radius: [[x, y], ...] in m, x ahead, or "
+                  "rect:LENGTHxWIDTH[,AHEAD]",
                   fault_of_footprint},
     TextParameter{kPrimitives, "file of the robot's motion primitives, for the planner lattice",
                   fault_of_primitives}};

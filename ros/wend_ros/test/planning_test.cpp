@@ -283,7 +283,11 @@ TEST(Parameters, HaveAFootprintInPlaceOfARadius) {
   EXPECT_EQ(parameters.footprint(), wend::Footprint::disc(0.3));
   EXPECT_EQ(parameters.set("footprint", "[[0.4, 0.2], [0.4, -0.2], [-0.3, 0]]"), "");
   EXPECT_EQ(parameters.footprint(), *wend::parse_footprint("0.4,0.2;0.4,-0.2;-0.3,0"));
-  EXPECT_NE(parameters.set("footprint", "[[1, 1], [2, 2]]").find("3 to 64 corners"),
+  EXPECT_EQ(parameters.set("footprint", "rect:0.8x0.4,0.6"), "");
+  EXPECT_EQ(parameters.footprint(), *wend::Footprint::rectangle(0.8, 0.4, 0.6));
+  EXPECT_EQ(parameters.set("footprint", "[[0.9, 0.2], [0.1, 0.2], [0.1, -0.2], [0.9, -0.2]]"), "");
+  EXPECT_FALSE(parameters.footprint().covers_base_point());
+  EXPECT_NE(parameters.set("footprint", "[[1, 1], [2, 2]]").find("3 to 4096 corners"),
             std::string::npos);
   EXPECT_EQ(parameters.set("footprint", ""), "");
   EXPECT_EQ(parameters.footprint(), wend::Footprint::disc(0.3));

@@ -13,6 +13,15 @@ namespace {
 constexpr std::size_t kCornersOfCircle = 16;
 constexpr double kRoundness = 0.975;
 
+/// A circle that is written as a polygon becomes a disc.
+wend::Footprint round_if_round(const wend::Footprint& footprint) {
+  const wend::Polygon* const outline = footprint.outline();
+  const double radius = footprint.circumscribed_radius();
+  const bool round = outline != nullptr && outline->corners().size() >= kCornersOfCircle &&
+                     footprint.inscribed_radius() >= kRoundness * radius;
+  return round ? wend::Footprint::disc(radius) : footprint;
+}
+
 }  // namespace
 
 wend::Expected<wend::Footprint, wend::Error> footprint_from(
@@ -23,10 +32,13 @@ wend::Expected<wend::Footprint, wend::Error> footprint_from(
   if (!polygon) return wend::Unexpected<wend::Error>(std::move(polygon.error()));
   auto footprint = wend::Footprint::polygon(*std::move(polygon));
   if (!footprint) return footprint;
-  const double radius = footprint->circumscribed_radius();
-  const bool round =
-      corners.size() >= kCornersOfCircle && footprint->inscribed_radius() >= kRoundness * radius;
-  return round ? wend::Footprint::disc(radius) : footprint;
+  return round_if_round(*footprint);
+}
+
+wend::Expected<wend::Footprint, wend::Error> footprint_from(std::string_view text) {
+  auto footprint = wend::parse_footprint(text);
+  if (!footprint) return footprint;
+  return round_if_round(*footprint);
 }
 
 ObstacleRule rule_for(ObstacleRule rule, const RobotShape& robot) {

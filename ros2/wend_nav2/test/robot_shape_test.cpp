@@ -33,6 +33,21 @@ TEST(RobotShape, OtherCornersAreAPolygon) {
   EXPECT_FALSE(footprint_from(std::vector<wend::MapPoint>{{1, 1}, {2, 2}}));
 }
 
+TEST(RobotShape, MayHaveItsOriginOutside) {
+  const auto fork = footprint_from(std::vector<wend::MapPoint>{
+      {0.9, 0.2}, {0.1, 0.2}, {0.1, 0.2}, {0.1, -0.2}, {0.9, -0.2}, {0.9, 0.2}});
+  ASSERT_TRUE(fork) << fork.error().message;
+  EXPECT_FALSE(fork->covers_base_point());
+  EXPECT_EQ(fork->outline()->corners().size(), 4);
+}
+
+TEST(RobotShape, IsReadFromText) {
+  EXPECT_EQ(*footprint_from("[[0.4, 0.2], [-0.3, 0.2], [-0.3, -0.2], [0.4, -0.2]]"),
+            *footprint_from(kBox));
+  EXPECT_EQ(*footprint_from("rect:0.75x0.5,0.125"), *wend::Footprint::rectangle(0.75, 0.5, 0.125));
+  EXPECT_FALSE(footprint_from("rect:0.7"));
+}
+
 TEST(RobotShape, ARoundRobotInAnInflatedCostmapIsAPoint) {
   const RobotShape round{wend::Footprint::disc(0.2), true};
   const RobotShape bare{wend::Footprint::disc(0.2), false};

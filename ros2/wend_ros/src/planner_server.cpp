@@ -7,7 +7,7 @@
 // Topics in: map (transient local), map_updates, goal_pose (plans from the robot's own pose, as rviz asks for it).
 // Topics out: plan, markers. Service and action: plan_path. Parameters: planner, primitives, and the options of
 // wend_nav2/Planner and of the planner by their names; robot_radius (m), footprint (corners x1, y1, x2, y2, ... in
-// metres, instead of a radius), occupied_from, robot_frame.
+// metres, or a text such as "rect:0.8x0.5,0.2", instead of a radius), occupied_from, robot_frame.
 
 #include <chrono>
 #include <functional>
@@ -54,8 +54,16 @@ wend::Unexpected<Failure> tf_failure(const std::string& message) {
   return wend::Unexpected<Failure>(Failure{FailureKind::tf_error, message});
 }
 
-/// The robot of the parameters: the corners, or a disc.
-wend::Footprint footprint_of(const std::vector<double>& corners, double radius) {
+/// The robot of the parameters: a shape as text or as corners, or a disc.
+wend::Footprint footprint_of(const rclcpp::ParameterValue& shape, double radius) {
+  if (shape.get_type() == rclcpp::ParameterType::PARAMETER_STRING) {
+    const auto text = shape.get<std::string>();
+    if (text.empty()) return wend::Footprint::disc(radius);
+    const auto footprint = wend_nav2::footprint_from(text);
+    if (!footprint) throw std::runtime_error("footprint: " + footprint.error().message);
+    return *footprint;
+  }
+  const auto corners = shape.get<std::vector<double>>();
   if (corners.empty()) return wend::Footprint::disc(radius);
   if (corners.size() % 2 != 0) {
     throw std::runtime_error("footprint: an even count of numbers expected: x1, y1, x2, y2, ...");
@@ -69,6 +77,13 @@ wend::Footprint footprint_of(const std::vector<double>& corners, double radius) 
   return *footprint;
 }
 
+/// Of a parameter that may be a text or numbers.
+rcl_interfaces::msg::ParameterDescriptor any_type() {
+  rcl_interfaces::msg::ParameterDescriptor descriptor;
+  descriptor.dynamic_typing = true;
+  return descriptor;
+}
+
 class PlannerServer : public rclcpp::Node {
  public:
   using Service = srv::PlanPath;
@@ -79,8 +94,10 @@ class PlannerServer : public rclcpp::Node {
       : Node("planner_server"),
         map_(static_cast<int>(declare_parameter("occupied_from", 65))),
         robot_frame_(declare_parameter("robot_frame", "base_link")),
-        robot_{footprint_of(declare_parameter("footprint", std::vector<double>{}),
-                            declare_parameter("robot_radius", 0.2)),
+        robot_{footprint_of(
+                   declare_parameter("footprint", rclcpp::ParameterValue(std::vector<double>{}),
+                                     any_type()),
+                   declare_parameter("robot_radius", 0.2)),
                false},
         parameters_(get_node_parameters_interface(), ""),
         transforms_(get_clock()),

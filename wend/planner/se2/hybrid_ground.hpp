@@ -24,8 +24,12 @@ class HybridGround {
   /// The cells in which the robot's base point can be somewhere.
   const BitGrid& drivable() const { return drivable_; }
 
-  /// Could a way join two cells? If not, none does. O(1).
-  bool connected(Cell a, Cell b) const { return components_.connected(a, b, Adjacency::edges); }
+  /// Could a way join two cells in which the robot's base point is? If not, none does. O(1).
+  bool connected(Cell a, Cell b) const {
+    // A base point on the edge of an obstacle may count as in its cell.
+    if (!drivable_[a] || !drivable_[b]) return true;
+    return components_.connected(a, b, Adjacency::edges);
+  }
 
  private:
   MotionCheck check_;

@@ -6,6 +6,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/box.hpp"
 #include "wend/geometry/trigonometry.hpp"
 #include "wend/robot/contact.hpp"
 
@@ -43,14 +44,9 @@ std::string length_text(const FreeSpace& space, double cells) {
 
 /// "6 x 3 cells": the box around an outline.
 std::string size_text(const Polygon& outline) {
-  double left = 0, right = 0, front = 0, rear = 0;
-  for (const Point corner : outline.corners()) {
-    front = std::max(front, corner.x);
-    rear = std::min(rear, corner.x);
-    left = std::max(left, corner.y);
-    right = std::min(right, corner.y);
-  }
-  return rounded(front - rear) + " x " + rounded(left - right) + " cells";
+  Box box(outline.corners().front());
+  for (const Point corner : outline.corners()) box.include(corner);
+  return rounded(box.high.x - box.low.x) + " x " + rounded(box.high.y - box.low.y) + " cells";
 }
 
 double longest_distance(const Polygon& outline) {
@@ -59,11 +55,16 @@ double longest_distance(const Polygon& outline) {
   return most;
 }
 
+/// Of a disc within the robot, not always around its base point.
+double inner_radius_in_cells(const FreeSpace& space) {
+  return space.footprint().inner_disc().radius / space.map().frame().resolution;
+}
+
 /// Is the robot larger than the map, wherever it stands?
 bool is_too_large(const FreeSpace& space) {
   if (space.outside() == OutsidePolicy::free) return false;
   const double narrow = std::min(space.width(), space.height());
-  if (2 * space.inscribed_radius_in_cells() > narrow) return true;
+  if (2 * inner_radius_in_cells(space) > narrow) return true;
   return space.outline() != nullptr &&
          longest_distance(*space.outline()) > hypotenuse(space.width(), space.height());
 }
@@ -116,6 +117,11 @@ std::string outside_of(const FreeSpace& space) {
          " and y from 0 to " + std::to_string(space.height());
 }
 
+std::string disc_within(const FreeSpace& space) {
+  return space.footprint().covers_base_point() ? "the largest disc within the robot"
+                                               : "a disc within the robot";
+}
+
 /// What has been searched without a drive.
 std::string searched_text(const FreeSpace& space, const NoDriveFound& no_drive) {
   const HybridResolution& searched = no_drive.searched;
@@ -165,8 +171,8 @@ std::string reason_of_no_drive(const NoDriveFound& no_drive, const FreeSpace& sp
     case NoDriveFound::Why::parted:
       return "no drive leads from " + start + " to " + goal + ": obstacles part them" +
              (space.is_point() ? std::string()
-                               : ", even for the largest disc within the robot, with a radius of " +
-                                     length_text(space, space.inscribed_radius_in_cells()));
+                               : ", even for " + disc_within(space) + ", with a radius of " +
+                                     length_text(space, inner_radius_in_cells(space)));
     case NoDriveFound::Why::goal_boxed_in:
       return (query.goals.size() == 1
                   ? goal

@@ -4,7 +4,9 @@
 #include <bit>
 #include <numbers>
 
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/map/row_bits.hpp"
+#include "wend/robot/disc_ring.hpp"
 #include "wend/space/se2/motion_check.hpp"
 
 namespace wend {
@@ -40,6 +42,15 @@ void for_each_cell(std::span<const std::uint64_t> words, Visit&& visit) {
 }  // namespace
 
 BitGrid cells_to_drive_in(const FreeSpace& space) {
+  if (!space.footprint().covers_base_point()) {
+    const Point centre = space.footprint().inner_disc().centre;
+    const double away = hypotenuse(centre.x, centre.y) / space.map().frame().resolution;
+    BitGrid cells(space.width(), space.height());
+    DiscRing(away, BasePlace::anywhere)
+        .spread(space.inner_disc_cells(), space.outside() == OutsidePolicy::free,
+                CellBox::of(cells), cells);
+    return cells;
+  }
   const double radius = space.inscribed_radius_in_cells() - kHalfDiagonal;
   constexpr double kRounding = 1e-6;
   const double least = 4 * radius * radius - kRounding;

@@ -20,7 +20,9 @@
 namespace wend {
 
 /// The cells in which the base point can be somewhere, not only in the middle, at some heading. Two of them that a
-/// robot can drive between are connected by common edges. O(cells / 64 + cells near obstacles).
+/// robot can drive between are connected by common edges. Where the base point lies outside the robot's polygon,
+/// blocked cells may be among them. O(cells / 64 + cells near obstacles), and for such a robot O(cells / 64) for each
+/// cell of its DiscRing.
 BitGrid cells_to_drive_in(const FreeSpace& space);
 
 class CoarseGrid {

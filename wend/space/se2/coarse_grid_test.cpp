@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
 #include "wend/base/random.hpp"
+#include "wend/geometry/angle.hpp"
 #include "wend/space/se2/motion_check.hpp"
 
 namespace wend {
@@ -30,6 +32,12 @@ FreeSpace random_space(Random& random) {
   return *make_free_space(*make_grid_map(states), {.footprint = Footprint::disc(radius),
                                                    .clearance_distance = costs ? 2.5 : 0,
                                                    .clearance_cost = costs ? 3.0 : 0});
+}
+
+Grid<CellState> states_of(const GridMap& map) {
+  Grid<CellState> states(map.width(), map.height(), CellState::free);
+  for (const Cell cell : every_cell(states)) states[cell] = map.state(cell);
+  return states;
 }
 
 /// The cells of a square that are drivable.
@@ -84,6 +92,43 @@ TEST(CoarseGrid, KnowsTheLeastCostAndTheSidesOfEverySquare) {
       }
     }
   }
+}
+
+/// The base point is in a drivable cell wherever the robot fits, also on edges, and a robot that moves a little stays in
+/// cells that are connected by edges.
+TEST(CellsToDriveIn, AreThoseInWhichTheBasePointCanBe) {
+  int fitted = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const FreeSpace ground = random_space(random);
+    const double length = 0.3 + 3 * random.uniform();
+    const double ahead =
+        length / 2 + 3 * random.uniform();  // of the rear edge: the base point is behind it
+    const FreeSpace space = *make_free_space(
+        *make_grid_map(states_of(ground.map())),
+        {.footprint = *Footprint::rectangle(length, 0.3 + random.uniform(), ahead),
+         .outside = random.chance(0.5) ? OutsidePolicy::free : OutsidePolicy::blocked});
+    const BitGrid cells = cells_to_drive_in(space);
+    for (const Cell cell : every_cell(space)) {
+      if (space.possible()[cell]) ASSERT_TRUE(cells[cell]);
+    }
+    for (int i = 0; i < 200; ++i) {
+      const bool on_edges = random.chance(0.5);
+      Pose pose{space.width() * random.uniform(), space.height() * random.uniform(),
+                2 * kPi * random.uniform()};
+      if (on_edges) pose = {std::floor(pose.x), std::floor(pose.y), kPi / 2 * random.between(0, 3)};
+      if (!space.fits(pose)) continue;
+      ++fitted;
+      for (const double dx : {0.0, -1e-9}) {
+        for (const double dy : {0.0, -1e-9}) {
+          const Cell cell = cell_at({pose.x + dx, pose.y + dy});
+          if (space.contains(cell)) ASSERT_TRUE(cells[cell]);
+        }
+      }
+    }
+  }
+  EXPECT_GT(fitted, 10'000);
 }
 
 }  // namespace

@@ -3,9 +3,7 @@
 // FootprintRows: a robot's polygon, grown by a margin, as an interval of cells in each row of the map, and whether
 // any of these cells is blocked: 64 cells at a time.
 
-#include <array>
-#include <cstddef>
-#include <optional>
+#include <vector>
 
 #include "wend/geometry/polygon.hpp"
 #include "wend/geometry/pose.hpp"
@@ -19,20 +17,18 @@ class FootprintRows {
   FootprintRows() = default;
   explicit FootprintRows(const Polygon& outline);
 
-  bool empty() const { return count_ == 0; }
+  bool empty() const { return corners_.empty(); }
 
   /// Without a hollow, what the rows cover is exactly what the polygon covers.
   bool convex() const { return convex_; }
 
   /// Is a cell blocked that the polygon, grown by a margin in cells, may overlap at this pose? Never false where it
   /// does overlap one. For a convex polygon and a margin of 0, true only if it overlaps one. A cell outside the map
-  /// counts as blocked if the robot may not hang over the edge.
+  /// counts as blocked if the robot may not hang over the edge. O(corners + rows that edges pass + cells / 64).
   bool meet_obstacle(const FreeSpace& space, const Pose& pose, double margin) const;
 
  private:
-  std::array<Point, Polygon::kMostCorners> corners_{};
-  std::size_t count_ = 0;
-  double circumscribed_ = 0;
+  std::vector<Point> corners_;
   bool convex_ = true;
 };
 

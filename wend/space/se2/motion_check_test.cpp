@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "wend/base/random.hpp"
 #include "wend/space/se2/coarse_grid.hpp"
@@ -78,7 +79,44 @@ TEST_P(MotionsOf, AreFreeWhereTheyPassAndTightWhereTheyDoNot) {
 INSTANTIATE_TEST_SUITE_P(Footprints, MotionsOf,
                          ::testing::Values("disc:0.45", "disc:1.2",
                                            "1,0.5;-0.6,0.5;-0.6,-0.5;1,-0.5",
-                                           "1,0.6;0,0.2;-1,0.6;-1,-0.6;0,-0.4;1,-0.6"));
+                                           "1,0.6;0,0.2;-1,0.6;-1,-0.6;0,-0.4;1,-0.6",
+                                           "rect:1.6x0.8,0.8", "rect:1.4x1,1.6",
+                                           "2,0.6;0.4,0.6;0.4,0.2;1.4,0.2;1.4,-0.6;2,-0.6"));
+
+/// A circle of hundreds of corners is blocked where its inner disc is, and free where the disc around it is.
+TEST(MotionCheck, TakesHundredsOfCorners) {
+  std::vector<Point> corners;
+  constexpr int kCorners = 300;
+  for (int i = 0; i < kCorners; ++i) {
+    const auto [sine, cosine] = sine_and_cosine(2 * kPi * i / kCorners);
+    corners.push_back({1.4 * cosine, 1.4 * sine});
+  }
+  const Footprint round = *Footprint::polygon(*Polygon::make(corners));
+  int decided = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const FreeSpace space = random_space(random, round);
+    const auto disc = [&](double radius) {
+      return *make_free_space(space.obstacles(), {.footprint = Footprint::disc(radius)});
+    };
+    const FreeSpace around = disc(1.4 + 1e-9);
+    const FreeSpace within = disc(1.3);
+    const Pose from{space.width() * random.uniform(), space.height() * random.uniform(), 0};
+    if (!space.fits(from)) continue;
+    const Motion motion = random_motion(random);
+    const bool fits = MotionCheck(space).fits(from, motion);
+    if (around.fits(from) && MotionCheck(around).fits(from, motion)) {
+      ++decided;
+      EXPECT_TRUE(fits);
+    }
+    if (!MotionCheck(within).fits(from, motion)) {
+      ++decided;
+      EXPECT_FALSE(fits);
+    }
+  }
+  EXPECT_GT(decided, 50);
+}
 
 TEST(MotionCheck, NeverCrossesAThinWall) {
   Grid<CellState> states(40, 9, CellState::free);

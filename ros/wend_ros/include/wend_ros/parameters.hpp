@@ -8,7 +8,8 @@
 // `weight`); planners that do not have it do not get it. Then there is what concerns them all:
 //
 //   planner         which one                robot_radius   metres
-//   footprint       [[x, y], ...], metres: the robot's polygon, in place of robot_radius
+//   footprint       [[x, y], ...] or "rect:LENGTHxWIDTH[,AHEAD]", metres: the robot's polygon, in place of
+//                   robot_radius; its base point may lie outside
 //   primitives      file of the robot's motion primitives, for the planner lattice
 //   unknown_free    drive into unknown       clearance_distance      metres
 //   outside         blocked or free: may the robot's disc hang over the map's edge?

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "wend/base/error.hpp"
 #include "wend/geometry/map_pose.hpp"
@@ -21,9 +22,13 @@ struct RobotShape {
 };
 
 /// The footprint with these corners, in the robot's frame. Corners that are as good as a circle around it, as Nav2
-/// publishes for a radius, are a disc. Fails as wend::Footprint::polygon() does.
+/// publishes for a radius, are a disc. The robot's origin may lie outside. Fails as wend::Polygon::make() does.
 wend::Expected<wend::Footprint, wend::Error> footprint_from(
     std::span<const wend::MapPoint> corners);
+
+/// The same of a text: corners as Nav2 writes them, "[[0.4, 0.2], ...]", or any other that wend::parse_footprint()
+/// reads.
+wend::Expected<wend::Footprint, wend::Error> footprint_from(std::string_view text);
 
 /// Never `automatic`.
 ObstacleRule rule_for(ObstacleRule rule, const RobotShape& robot);
