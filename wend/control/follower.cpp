@@ -226,7 +226,8 @@ void Follower::locate(const MapPose& shown) {
 /// tolerance, if it does: what it skips, the next leg would begin beside its line. Where it passes the end at speed,
 /// it may be beyond the tolerance by now.
 bool Follower::is_at_end_of_leg(const MapPose& pose) {
-  constexpr double kAtEnd = 0.02;  // m
+  // A robot that steers cannot turn afterwards by what an arc turns on the last centimetres.
+  const double at_leg = options_.turns_in_place ? 0.02 : 0.005;  // m
   // Of the tolerance: nearer to the last point, controllers that face it would turn aside. A robot that steers turns
   // up to the last point.
   const double at_heading = options_.turns_in_place ? 0.4 : 0.1;
@@ -241,11 +242,11 @@ bool Follower::is_at_end_of_leg(const MapPose& pose) {
   nearest_end_ = std::min(nearest_end_, gap);
   const double tolerance = options_.goal_tolerance;
   const double beside = is_last_leg() ? kBeside * tolerance : tolerance;
-  if (leaves && left <= kAtEnd && nearest_end_ <= beside) return true;
+  if (leaves && left <= at_leg && nearest_end_ <= beside) return true;
   if (left > 2 * tolerance || gap > tolerance) return false;
   const bool turns_next = !is_last_leg() && route_.legs()[leg_ + 1].turn_first;
   const double at_goal = (route_.final_heading() ? at_heading : kAtPoint) * tolerance;
-  const double at_end = is_last_leg() ? at_goal : kAtEnd;
+  const double at_end = is_last_leg() ? at_goal : at_leg;
   return gap <= at_end || leaves || (!turns_next && left <= at_end);
 }
 
