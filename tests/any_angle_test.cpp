@@ -48,7 +48,7 @@ void compare(const Trial& trial, const std::string& name, std::uint64_t seed, Le
     if (plan.path.empty()) continue;
     const auto collision = first_collision(plan.path, space, adjacency);
     ASSERT_FALSE(collision) << describe(collision->kind);
-    const double taut = string_pulled(reference.path, space, adjacency).length();
+    const double taut = string_pulled(reference.path, space, adjacency)->length();
     ++lengths.queries;
     lengths.longer += plan.cost > taut * (1 + 1e-9) ? 1 : 0;
     lengths.any_angle += plan.cost;

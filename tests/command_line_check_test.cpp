@@ -104,6 +104,29 @@ TEST_F(CheckCommand, SaysSoOfPathsThatLeaveTheMap) {
   EXPECT_THAT(outcome.err, HasSubstr("it leaves the map"));
 }
 
+/// And so do the other commands that read one.
+TEST_F(CheckCommand, SaysTheSameOnAllFourSidesAndInEveryCommand) {
+  for (const char* out : {"-1,1", "9,1", "2,-1", "2,9", "1e9,1", "-1e9,1"}) {
+    const std::string point(out);
+    const std::string path = waypoints("2,1,0,0,0\n" + point + ",0,0,0\n");
+    const Outcome checked = check(path, {"--picture", "never"});
+    EXPECT_EQ(checked.code, 1) << out;
+    EXPECT_THAT(checked.err, HasSubstr("it leaves the map")) << out;
+    for (const char* command : {"smooth", "view"}) {
+      const Outcome outcome = wend({command, map_, path});
+      EXPECT_EQ(outcome.code, 1) << command << out;
+      EXPECT_EQ(outcome.err, checked.err) << command << out;
+    }
+    const Outcome followed = wend({"follow", map_, "--path", path});
+    EXPECT_EQ(followed.code, 1) << out;
+    EXPECT_EQ(followed.err, checked.err) << out;
+  }
+  const std::string cells = folder_.write("out.csv", "x,y,x_m,y_m\n1,0,0,0\n0,0,0,0\n-2,0,0,0\n");
+  EXPECT_THAT(check(cells).err, HasSubstr("it leaves the map"));
+  const Outcome far = check(waypoints("2,1,0,0,0\n1e9,1,0,0,0\n"), {"--format", "json"});
+  EXPECT_EQ(json::parse(far.out).at("metrics"), nullptr) << "too far off the map to be measured";
+}
+
 TEST_F(CheckCommand, ChecksTheSmoothedPathOfAPlan) {
   const std::string path =
       folder_.write("plan.json", R"({"path":[[0,2],[6,2]],"path_smoothed":[[0.5,0.5],[6.5,0.5]]})");

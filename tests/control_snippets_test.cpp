@@ -65,8 +65,12 @@ TEST(Snippets, OfCornersTrajectoryAndTracker) {
   const auto plan =
       wend::make_planner("astar", space).value()->plan(wend::Query::between({1, 1}, {8, 5}));
   ASSERT_TRUE(plan);
-  const wend::Path curve = wend::rounded_corners(plan->path, space, 0.1);
-  const wend::Path& path = curve;
+  const auto curve = wend::rounded_corners(plan->path, space, 0.1);
+  [&] {
+    if (!curve) return report(curve.error().message);
+  }();
+  ASSERT_TRUE(curve);
+  const wend::Path& path = *curve;
   const wend::Frame& frame = space.map().frame();
 
   const wend::TrajectoryLimits limits{.speed = 0.4, .acceleration = 0.5};

@@ -46,7 +46,7 @@ std::vector<Parking> parkings() {
     for (;;) {
       const auto plan =
           planner->plan({random_stand(random, map), {Goal(random_stand(random, map))}});
-      if (!plan || measure(plan->path, cautious).reversals == 0) continue;
+      if (!plan || measure(plan->path, cautious)->reversals == 0) continue;
       parkings.push_back({"parking " + std::to_string(seed),
                           *make_free_space(map, {.footprint = Footprint::disc(kRadius)}),
                           plan->path});

@@ -89,7 +89,7 @@ TEST_P(Follow, ReachesTheGoalOfEveryPlan) {
     as_planned = std::max(as_planned, largest_error(plan, plan.path, *controller));
     const Path smooth = smooth_by_gradient(plan.path, plan.cautious)->path;
     smoothed = std::max(smoothed, largest_error(plan, smooth, *controller));
-    const Path straight = string_pulled(plan.path, plan.cautious);
+    const Path straight = *string_pulled(plan.path, plan.cautious);
     pulled = std::max(pulled, largest_error(plan, straight, *controller));
   }
   std::cout << GetParam() << ": worst cross-track error " << as_planned << " m as planned, "

@@ -144,7 +144,7 @@ TEST(Smoothing, BoundsCurvatureInOffices) {
         const auto smoothed = smooth_by_curvature(path, space, {.radius = radius});
         ASSERT_TRUE(smoothed);
         EXPECT_TRUE(smoothed->within_bound) << "seed " << seed << ", radius " << radius;
-        EXPECT_GE(measure(smoothed->path, space).rounded_turning_radius, radius * (1 - 1e-5));
+        EXPECT_GE(measure(smoothed->path, space)->rounded_turning_radius, radius * (1 - 1e-5));
         EXPECT_FALSE(first_collision(smoothed->path, space));
       }
     }

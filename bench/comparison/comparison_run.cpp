@@ -89,7 +89,9 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
     if (comparison_.capabilities.headings) row.reason = timed.planner()->reason(query, row.status);
     return row;
   }
-  const PathMetrics metrics = measure(plan_.path, space_);
+  const auto measured = measure(plan_.path, space_);
+  assert(measured);  // a planner's path
+  const PathMetrics& metrics = *measured;
   row.length = metrics.length;
   row.turning = without_rounding(degrees_from(metrics.turning));
   row.largest_curvature = 1 / metrics.rounded_turning_radius;

@@ -122,7 +122,7 @@ TEST(ComparisonRun, SaysOfEveryPlannerWhatItsPlanSays) {
       const auto alone = make_planner(spec.name, space, spec.options);
       const auto plan = (*alone)->plan(Query::between(queries[i].start, queries[i].goal));
       ASSERT_TRUE(plan && row.found());
-      const PathMetrics metrics = measure(plan->path, space);
+      const PathMetrics metrics = *measure(plan->path, space);
       EXPECT_EQ(row.planner, spec.text);
       EXPECT_EQ(row.cost, plan->cost);
       EXPECT_EQ(row.length, metrics.length);

@@ -95,11 +95,11 @@ std::vector<MotionRow> smoothing_rows(int rounds) {
     rows.push_back(smoothing(walk, {}, rounds));
     if (walk.kind == "office") rows.push_back(bounding(walk, 3, rounds));
     rows.push_back(simplifying("pull taut", walk, rounds,
-                               [&] { return string_pulled(walk.path, walk.space); }));
+                               [&] { return *string_pulled(walk.path, walk.space); }));
     rows.push_back(simplifying("simplify to 0.5 cells", walk, rounds,
-                               [&] { return simplified(walk.path, 0.5, walk.space); }));
+                               [&] { return *simplified(walk.path, 0.5, walk.space); }));
     rows.push_back(simplifying("resample at 0.5 cells", walk, rounds,
-                               [&] { return resampled(walk.path, 0.5, walk.space); }));
+                               [&] { return *resampled(walk.path, 0.5, walk.space); }));
   }
   return rows;
 }

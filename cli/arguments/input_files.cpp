@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <span>
 #include <string>
 #include <utility>
 
 #include "cli/arguments/coordinates.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/output/plan_text.hpp"
 #include "wend/io/files.hpp"
+#include "wend/path/path_collision.hpp"
 
 namespace wend::cli {
 namespace {
@@ -39,26 +39,6 @@ Expected<std::vector<QueryRow>, Error> load_queries_or_stream(const std::string&
   const auto text = read_stream(file, kLargestQueryFile);
   if (!text) return Unexpected<Error>(text.error());
   return parse_query_csv(*text, stream_name(file));
-}
-
-/// The part of a path that lies outside the map, if any.
-std::optional<std::string> part_outside(const Path& path, const FreeSpace& space) {
-  const auto cell_outside = [&](std::span<const Cell> cells) -> std::optional<std::string> {
-    const auto outside =
-        std::ranges::find_if_not(cells, [&](Cell cell) { return space.contains(cell); });
-    if (outside == cells.end()) return std::nullopt;
-    return "the cell " + cell_text(*outside);
-  };
-  const auto point_outside = [&](const auto&) -> std::optional<std::string> {
-    for (const Point point : path.points()) {
-      if (point.x >= 0 && point.y >= 0 && point.x <= space.width() && point.y <= space.height()) {
-        continue;
-      }
-      return fmt::format("the point ({:g},{:g})", point.x, point.y);
-    }
-    return std::nullopt;
-  };
-  return path.visit(cell_outside, point_outside);
 }
 
 }  // namespace
@@ -97,12 +77,13 @@ Path load_path_for(const FreeSpace& space, const std::string& file, PathStage st
   return read_path(file, space.map().frame(), stage);
 }
 
-Path load_path_on(const FreeSpace& space, const std::string& file, PathStage stage) {
+Path load_path_on(const FreeSpace& space, const Coordinates& coordinates, const std::string& file,
+                  PathStage stage) {
   Path path = load_path_for(space, file, stage);
-  const auto outside = part_outside(path, space);
-  if (!outside) return path;
-  throw InputError(fmt::format("{}: {} is outside the map, which has {}", file, *outside,
-                               size_text(space.map())));
+  const auto exit = first_exit(path, space);
+  if (!exit) return path;
+  const std::string reason = not_free_text(*exit, coordinates);
+  throw NoPathError(reason, {"not_free", reason});
 }
 
 }  // namespace wend::cli

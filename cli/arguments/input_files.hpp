@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/arguments/coordinates.hpp"
 #include "cli/arguments/parser.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/path/load_path.hpp"
@@ -31,7 +32,8 @@ void add_path_file(Parser& app, std::string& file);
 /// Throws InputError if it cannot be read, NoPathError if it says why there is no path.
 Path load_path_for(const FreeSpace& space, const std::string& file, PathStage stage);
 
-/// The same; also throws if a part of the path lies outside the map.
-Path load_path_on(const FreeSpace& space, const std::string& file, PathStage stage);
+/// The same; also throws NoPathError if the path leaves the map.
+Path load_path_on(const FreeSpace& space, const Coordinates& coordinates, const std::string& file,
+                  PathStage stage);
 
 }  // namespace wend::cli

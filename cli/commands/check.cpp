@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
@@ -45,6 +47,16 @@ turns in place where it bends; turns are checked to 0.01 cells. Exit codes:
 0 free, 1 not free (standard error shows the first collision), 2 bad usage or
 input.)";
 
+/// The beginning of a path that leads so far off the map that it cannot be measured: until it leaves the map.
+Path until_exit(const Path& path, const FreeSpace& space) {
+  const auto exit = first_exit(path, space);
+  if (!exit) return path;
+  std::vector<Point> points = path.points();
+  points.resize(std::min(exit->piece + 1, points.size()));
+  points.push_back(exit->point);
+  return Path::along(std::move(points));
+}
+
 /// Paths that leave the map are shown as far as they are on it.
 Scene scene_of(const FreeSpace& space, const Path& path,
                const std::optional<PathCollision>& collision) {
@@ -81,15 +93,15 @@ int run(const CheckArguments& arguments) {
   const MeasuredPath measures = measured(
       "path", path, space,
       corner_rounding_in_cells(arguments.corner_rounding, arguments.map.coordinates(loaded.map)));
-  const Scene scene = scene_of(space, path, collision);
+  const Path shown = measures.metrics ? path : until_exit(path, space);
+  const Scene scene = scene_of(space, shown, collision);
   const std::string json = check_json(measures, collision, loaded.map.frame());
   print(arguments.format == Format::json ? json : text_of(arguments, scene, measures, !collision));
   auto writers = picture_writers({{{}, scene}}, arguments.pictures.style);
   writers[".json"] = [&](const std::string& file) { return write_bytes(file, json); };
   arguments.output.write(writers);
   if (!collision) return success;
-  complain(fmt::format("the path is not free: {}",
-                       collision_text(*collision, arguments.map.coordinates(loaded.map))));
+  complain(not_free_text(*collision, arguments.map.coordinates(loaded.map)));
   return no_plan;
 }
 

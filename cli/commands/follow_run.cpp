@@ -128,7 +128,7 @@ void FollowRun::check_drivable(const Path& path) const {
 /// If the path's file says that there is no path, the written files say so too.
 Path FollowRun::loaded() const {
   try {
-    return load_path_on(space_, arguments_.path, PathStage::smoothed);
+    return load_path_on(space_, coordinates_, arguments_.path, PathStage::smoothed);
   } catch (const NoPathError& error) {
     write_failure(error.plan(), Scene{.space = space_});
     throw;
@@ -203,8 +203,8 @@ Drive FollowRun::tracked(const TrackingGains& gains) const {
         "the path with --smoother curvature --turning-radius R",
         trajectory.smallest_turning_radius(), robot_.turning_radius()));
   }
-  const Path rounded = rounded_corners(
-      path_.refined.path, space_, arguments_.refine.rounding(coordinates_), refinement_.adjacency);
+  const Path rounded = value_or_throw(rounded_corners(
+      path_.refined.path, space_, arguments_.refine.rounding(coordinates_), refinement_.adjacency));
   TrajectoryTracker tracker(trajectory, gains);
   return simulate(space_, rounded, tracker, robot_, simulation_, following_);
 }

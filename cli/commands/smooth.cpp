@@ -136,9 +136,10 @@ void write_failure(const SmoothArguments& arguments, const FailedPlan& plan, con
 }
 
 /// The path to smooth. If its file says that there is no path, the written files say so too.
-Path path_to_smooth(const SmoothArguments& arguments, const FreeSpace& space) {
+Path path_to_smooth(const SmoothArguments& arguments, const FreeSpace& space,
+                    const Coordinates& coordinates) {
   try {
-    return load_path_on(space, arguments.path, PathStage::planned);
+    return load_path_on(space, coordinates, arguments.path, PathStage::planned);
   } catch (const NoPathError& error) {
     write_failure(arguments, error.plan(), Scene{.space = space});
     throw;
@@ -175,7 +176,7 @@ int run(const SmoothArguments& arguments) {
   arguments.trajectory.check_not_among({arguments.path});
   const FreeSpace space = arguments.map.free_space(loaded.map);
   const Coordinates coordinates = arguments.map.coordinates(loaded.map);
-  const Path path = path_to_smooth(arguments, space);
+  const Path path = path_to_smooth(arguments, space, coordinates);
   Refinement refinement = arguments.points.refinement(coordinates);
   refinement.adjacency = arguments.moves.adjacency();
   refinement.smoother = smoother_of(arguments, coordinates);

@@ -40,7 +40,8 @@ constexpr const char* kViewExamples = R"(Examples:
 
 A path is a file of `wend plan -o` (.csv, .json; the smoothed path if there is
 one), or a centreline in metres. Several paths, maps, layers or styles are shown
-side by side. Exit codes: 0 shown, 2 bad usage or input.)";
+side by side. Exit codes: 0 shown, 1 a path leaves the map, 2 bad usage or
+input.)";
 
 /// The title of a panel that shows a file.
 std::string name_of(const std::string& file) {
@@ -48,8 +49,8 @@ std::string name_of(const std::string& file) {
 }
 
 Panel path_panel(const FreeSpace& space, const Coordinates& coordinates, const std::string& file) {
-  Scene scene = scene_of(space, load_path_on(space, file, PathStage::smoothed));
-  const PathMetrics metrics = measure(scene.path, space);
+  Scene scene = scene_of(space, load_path_on(space, coordinates, file, PathStage::smoothed));
+  const PathMetrics metrics = value_or_throw(measure(scene.path, space));
   return {name_of(file), std::move(scene),
           fmt::format("length {}, clearance {}", coordinates.length(metrics.length),
                       coordinates.length(metrics.smallest_clearance))};

@@ -170,4 +170,8 @@ std::string collision_text(const PathCollision& collision, const Coordinates& co
   return text;
 }
 
+std::string not_free_text(const PathCollision& collision, const Coordinates& coordinates) {
+  return "the path is not free: " + collision_text(collision, coordinates);
+}
+
 }  // namespace wend::cli

@@ -38,4 +38,7 @@ std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
 /// "after 3.21 m, at (1.2,3.4) m, cell (24,68), it enters an obstacle: that at ..."
 std::string collision_text(const PathCollision& collision, const Coordinates& coordinates);
 
+/// "the path is not free: after 1.5 m, at (2,3) m, it leaves the map"
+std::string not_free_text(const PathCollision& collision, const Coordinates& coordinates);
+
 }  // namespace wend::cli

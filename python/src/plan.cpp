@@ -71,7 +71,7 @@ auto points_of(const Planned& plan) {
 
 nb::dict quality_of(const Planned& plan) {
   const double metre = plan.answer.space.map().frame().resolution;
-  const PathMetrics metrics = measure(plan.path(), plan.answer.space);
+  const PathMetrics metrics = value_or_throw(measure(plan.path(), plan.answer.space));
   nb::dict quality;
   quality["length"] = metrics.length * metre;
   quality["turning"] = metrics.turning;
@@ -218,6 +218,14 @@ void bind_plan(nb::module_& module) {
            [](const Trajectory& trajectory, double period) {
              if (!(period > 0 && std::isfinite(period))) {
                throw_failure(Status::invalid_option, "period must be finite and greater than 0",
+                             "period");
+             }
+             constexpr auto kMost = static_cast<double>(Trajectory::kMostSamples);
+             if (!(trajectory.duration() / period < kMost - 1)) {
+               throw_failure(Status::invalid_option,
+                             "period is " + format_number(period) +
+                                 " s: the trajectory would have " + "more than " +
+                                 format_number(kMost) + " rows",
                              "period");
              }
              return rows_of(trajectory.samples(period));

@@ -11,6 +11,7 @@
 #include "fuzzed_map_updates.hpp"
 #include "fuzzed_map_yaml.hpp"
 #include "fuzzed_mask.hpp"
+#include "fuzzed_path.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_csv.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
@@ -195,6 +196,12 @@ constexpr std::array kLoaders{
     Loader{"index", fuzz_index},
     Loader{"c_interface", fuzz_c_interface},
     Loader{"map_updates", fuzz_map_updates},
+    Loader{"check", fuzz_check},
+    Loader{"measure", fuzz_measure},
+    Loader{"simplify", fuzz_simplify},
+    Loader{"resample", fuzz_resample},
+    Loader{"smooth", fuzz_smooth},
+    Loader{"trajectory", fuzz_trajectory},
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// The loaders that are fuzzed: each takes any bytes at all and returns what it did wrong, empty if
+// The loaders that are fuzzed, and what is done with a path that was loaded: each takes any bytes at all and returns what it did wrong, empty if
 // nothing. tests/fuzz/<loader>_fuzzer.cpp gives them to libFuzzer; tests/fuzz_regressions_test.cpp
 // replays the files in tests/fuzz/seeds/<loader> and tests/fuzz/regressions/<loader>.
 

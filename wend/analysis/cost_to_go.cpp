@@ -217,7 +217,7 @@ Expected<CostToGo, PlanFailure> CostToGo::make(const FreeSpace& space, std::span
 }
 
 std::optional<Direction> CostToGo::policy(Cell cell) const {
-  if (policy_[cell] == kNoDirection) return std::nullopt;
+  if (!policy_.contains(cell) || policy_[cell] == kNoDirection) return std::nullopt;
   return static_cast<Direction>(policy_[cell]);
 }
 

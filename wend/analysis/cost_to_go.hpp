@@ -13,6 +13,7 @@
 //
 // O(cells) to make, O(length) a path. Immutable; may be shared between threads.
 
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -35,12 +36,14 @@ class WEND_API CostToGo {
   static Expected<CostToGo, PlanFailure> make(const FreeSpace& space, std::span<const Cell> goals,
                                               GridMoves moves = {}, const Limits& limits = {});
 
-  /// The cheapest cost from a cell to the nearest goal; infinite without a path.
-  double cost(Cell cell) const { return costs_[cell]; }
+  /// The cheapest cost from a cell to the nearest goal; infinite without a path, as off the map.
+  double cost(Cell cell) const {
+    return costs_.contains(cell) ? costs_[cell] : std::numeric_limits<double>::infinity();
+  }
   /// cost() of every cell of the map.
   const Grid<double>& costs() const { return costs_; }
 
-  /// The direction to move from a cell; nothing in a goal and without a path.
+  /// The direction to move from a cell; nothing in a goal, without a path and off the map.
   std::optional<Direction> policy(Cell cell) const;
 
   /// The best path from a cell, or why there is no path (start_outside, start_blocked,

@@ -1,7 +1,6 @@
 #include "wend/analysis/no_path.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -26,7 +25,9 @@ FreeSpace with_unknown_free(const FreeSpace& space) {
   FreeSpaceOptions options = space.options();
   if (options.unknown == UnknownPolicy::free || space.map().unknown().count() == 0) return space;
   options.unknown = UnknownPolicy::free;
-  return *make_free_space(space.map(), options);
+  auto made = make_free_space(space.map(), options);
+  return made ? *std::move(made)
+              : space;  // if what was unknown costs too much, the change opens nothing
 }
 
 /// How wide a robot gets from start to goal under each change but that of its size.
@@ -95,7 +96,7 @@ BitGrid cells_where(const FreeSpace& space, Holds&& holds) {
 }  // namespace
 
 BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves) {
-  assert(space.contains(cell));
+  if (!space.contains(cell)) return BitGrid(space.width(), space.height());
   if (labels_are_exact(space, moves)) {
     const ConnectedComponents& components = space.components();
     return cells_where(
@@ -106,14 +107,14 @@ BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves) {
 }
 
 std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves moves) {
-  assert(space.contains(cell));
+  if (!space.contains(cell)) return 0;
   return labels_are_exact(space, moves)
              ? space.components().size_of_component(cell, moves.adjacency())
              : component_of(space, cell, moves).count();
 }
 
 NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
-  assert(space.contains(start) && space.contains(goal));
+  if (!space.contains(start) || !space.contains(goal)) return {};
   Widths widths(space, start, goal, moves);
   NoPath why{.start_component = component_size(space, start, moves),
              .goal_component = component_size(space, goal, moves),

@@ -65,8 +65,8 @@ struct NoPath {
   std::vector<Way> ways;
 };
 
-/// The cells that the robot can reach from a cell of the map, including itself; empty if it cannot
-/// stand there. Exact like the planners. ConnectedComponents can count too much: a disc does not
+/// The cells that the robot can reach from a cell, including itself; none if it cannot stand there, as off the
+/// map. Exact like the planners. ConnectedComponents can count too much: a disc does not
 /// fit between all corners that a point fits through. O(cells); O(cells log cells) for a disc under
 /// the corner rule `both`.
 WEND_API BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves = {});
@@ -74,7 +74,7 @@ WEND_API BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves
 /// The number of cells of component_of(). O(1) but for a disc under the corner rule `both`.
 WEND_API std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves moves = {});
 
-/// Both cells are on the map and may be blocked. O(cells log cells).
+/// Both cells may be blocked. Empty, without any way, if one is not on the map. O(cells log cells).
 WEND_API NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal,
                                 GridMoves moves = {});
 

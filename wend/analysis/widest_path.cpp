@@ -1,7 +1,6 @@
 #include "wend/analysis/widest_path.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -83,6 +82,7 @@ class WidestSearch {
 
 /// The map with the cells on which no wider robot can stand so dear that the cheapest path enters as
 /// few of them as it can.
+/// In cells: a radius in metres may be larger than that of any Footprint.
 GridMap with_narrow_cells_dear(const FreeSpace& space, std::uint32_t width) {
   const GridMap& map = space.map();
   const auto& clearance = space.squared_half_cell_clearance();
@@ -92,7 +92,7 @@ GridMap with_narrow_cells_dear(const FreeSpace& space, std::uint32_t width) {
     states[cell] = map.state(cell);
     if (clearance[cell] <= width) terrain[cell] = kDear;
   }
-  return *make_grid_map(states, map.frame(), std::move(terrain));
+  return *make_grid_map(states, {}, std::move(terrain));
 }
 
 Path cheapest_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
@@ -150,7 +150,7 @@ Point narrowest_point(const FreeSpace& space, std::span<const Cell> cells, std::
 
 std::optional<std::uint32_t> squared_half_cell_width(const FreeSpace& space, Cell start, Cell goal,
                                                      GridMoves moves) {
-  assert(space.contains(start) && space.contains(goal));
+  if (!space.contains(start) || !space.contains(goal)) return std::nullopt;
   return WidestSearch(space, goal, moves.adjacency()).run(start);
 }
 
@@ -161,10 +161,9 @@ std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell g
   // Where there is no obstacle, the farthest that a FreeSpace looks.
   const double cells = std::sqrt(static_cast<double>(*width)) / 2;
   const FreeSpace widest =
-      *make_free_space(with_narrow_cells_dear(space, *width),
-                       {.footprint = Footprint::disc(cells * space.map().frame().resolution),
-                        .unknown = space.options().unknown,
-                        .outside = space.outside()});
+      *make_free_space(with_narrow_cells_dear(space, *width), {.footprint = Footprint::disc(cells),
+                                                               .unknown = space.options().unknown,
+                                                               .outside = space.outside()});
   Path path = cheapest_path(widest, start, goal, moves);
   const Point narrowest = narrowest_point(widest, path.cells(), *width, moves.adjacency());
   return WidestPath{distance_in_cells(*width), narrowest, std::move(path)};

@@ -36,7 +36,7 @@ struct WidestPath {
 };
 
 /// For the obstacles of a FreeSpace and robots of any size: ignores its radius and clearance cost.
-/// Both cells are on the map. Nothing if not even a point fits. O(cells log cells).
+/// Nothing if not even a point fits, or if a cell is not on the map. O(cells log cells).
 WEND_API std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell goal,
                                                GridMoves moves = {});
 

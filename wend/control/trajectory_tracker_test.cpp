@@ -47,7 +47,7 @@ TEST(TrajectoryTracker, ArrivesInTimeAroundCornersInPlace) {
 
 TEST(TrajectoryTracker, ArrivesInTimeAroundRoundedCorners) {
   const Path path = Path::along({{2, 2}, {12, 2}, {12, 9}, {3, 14}, {3, 20}});
-  expect_in_time(rounded_corners(path, tracking_ground(), 0.5), 0.1);
+  expect_in_time(*rounded_corners(path, tracking_ground(), 0.5), 0.1);
 }
 
 TEST(TrajectoryTracker, ArrivesInTimeInReverseAndAfterAChangeOfGear) {
@@ -64,7 +64,7 @@ TEST(TrajectoryTracker, ArrivesInTimeAfterTurnsInPlace) {
 TEST(TrajectoryTracker, FindsBackToItsTrajectoryInSpiteOfNoise) {
   double duration = 0;
   const Path path =
-      rounded_corners(Path::along({{2, 2}, {12, 2}, {12, 9}}), tracking_ground(), 0.5);
+      *rounded_corners(Path::along({{2, 2}, {12, 2}, {12, 9}}), tracking_ground(), 0.5);
   const Drive drive = tracked(
       path, duration, {.actuation_noise = 0.05, .position_noise = 0.01, .heading_noise = 0.01});
   EXPECT_EQ(drive.outcome, DriveOutcome::reached);

@@ -117,7 +117,7 @@ void append_visible_cells(const Obstacles& obstacles, Point from, double range,
                           std::vector<Cell>& cells) {
   const GridMap& map = obstacles.map();
   const bool inside = from.x >= 0 && from.y >= 0 && from.x < map.width() && from.y < map.height();
-  if (inside) Scan(obstacles, from, range, cells).run();
+  if (inside && range >= 0) Scan(obstacles, from, range, cells).run();
 }
 
 }  // namespace wend

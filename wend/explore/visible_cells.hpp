@@ -19,7 +19,7 @@ namespace wend {
 /// stops before. The blocked cell that stops a ray is seen; the cell of the point stops none. A ray through a corner
 /// of cells passes unless both cells beside it are blocked. The ends of two rays lie half a cell apart, so a
 /// narrower slit far away may be missed. Each cell is appended once, in no order; none if the point is not on the
-/// map. O(range^2).
+/// map, or if the range is NaN or negative. O(range^2).
 WEND_API void append_visible_cells(const Obstacles& obstacles, Point from, double range,
                                    std::vector<Cell>& cells);
 

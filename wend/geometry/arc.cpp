@@ -37,7 +37,10 @@ Arc arc_to(const Pose& from, Point to) {
   const double squared = dx * dx + dy * dy;
   // A point this near the line counts as on it: the circle through it would be useless.
   constexpr double kStraight = 1e-12;
-  if (std::abs(across) <= kStraight * std::sqrt(squared)) return {from, along, 0};
+  constexpr double kNearest = 1e-200;  // squared: there, curvatures are no numbers any more
+  if (std::abs(across) <= kStraight * std::sqrt(squared) || squared < kNearest) {
+    return {from, along, 0};
+  }
   const double curvature = 2 * across / squared;
   const double turn = 2 * arc_tangent(across, std::abs(along)) * (along < 0 ? -1 : 1);
   return {from, turn / curvature, curvature};
@@ -54,7 +57,9 @@ int chord_count(const Arc& arc, double tolerance) {
   // The sagitta of a chord that turns by t is (1 - cos(t/2)) / curvature.
   const double cosine = std::max(1 - tolerance * std::abs(arc.curvature), 0.0);
   const double half = arc_tangent(std::sqrt(1 - cosine * cosine), cosine);
-  return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * half))));
+  const double chords = std::ceil(std::abs(arc.turn()) / (2 * half));
+  constexpr double kMost = 1 << 20;
+  return chords > 1 ? static_cast<int>(std::min(chords, kMost)) : 1;
 }
 
 }  // namespace wend

@@ -1,5 +1,6 @@
 #include "wend/geometry/frame.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "wend/geometry/angle.hpp"
@@ -9,6 +10,7 @@ namespace wend {
 namespace {
 
 constexpr double kBorderMetres = 1e-9;
+constexpr double kMostBorder = 1e-3;  // cells
 constexpr double kLargestCell = 1e9;
 
 }  // namespace
@@ -42,7 +44,7 @@ Pose Frame::to_grid(MapPose metres) const {
 
 std::optional<Cell> Frame::cell_at(MapPoint metres) const {
   const Point grid = to_grid(metres);
-  const double border = kBorderMetres / resolution;
+  const double border = std::min(kBorderMetres / resolution, kMostBorder);
   const double x = std::floor(grid.x + border);
   const double y = std::floor(grid.y + border);
   // Written so that it also rejects numbers that are not finite.

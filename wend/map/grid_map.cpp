@@ -79,15 +79,34 @@ std::string size_fault(const BitGrid& occupied, const BitGrid& unknown) {
   return {};
 }
 
-std::string frame_fault(const Frame& frame) {
+constexpr double kLeastResolution = 1e-9;   // metres a cell
+constexpr double kLargestResolution = 1e9;  // as the radius of the largest robot
+
+/// Metres tell places on the map that are a ten-thousandth of a cell apart.
+bool tells_places(const Frame& frame, int width, int height) {
+  constexpr double kMost = 1e12;  // cells: 2^52 of them have no fractions
+  const double farthest = std::max(std::abs(frame.origin.x), std::abs(frame.origin.y));
+  return farthest / frame.resolution + width + height <= kMost;
+}
+
+std::string frame_fault(const Frame& frame, int width, int height) {
   if (!(frame.resolution > 0) || !std::isfinite(frame.resolution)) {
     return "the resolution " + format_number(frame.resolution) +
            " is not a positive number of metres a cell";
   }
+  if (frame.resolution < kLeastResolution || frame.resolution > kLargestResolution) {
+    return "the resolution " + format_number(frame.resolution) + " is not in " +
+           format_number(kLeastResolution) + ".." + format_number(kLargestResolution) +
+           " metres a cell";
+  }
   const MapPose& origin = frame.origin;
   const bool finite =
       std::isfinite(origin.x) && std::isfinite(origin.y) && std::isfinite(origin.heading);
-  return finite ? "" : "the origin contains NaN or infinity";
+  if (!finite) return "the origin contains NaN or infinity";
+  if (tells_places(frame, width, height)) return {};
+  return "the origin (" + format_number(origin.x) + ',' + format_number(origin.y) +
+         ") is so far away that numbers do not tell cells of " + format_number(frame.resolution) +
+         " m from each other";
 }
 
 std::string terrain_fault(const Grid<double>& terrain, int width, int height) {
@@ -121,7 +140,7 @@ Expected<GridMap, Error> make_grid_map(BitGrid occupied, BitGrid unknown, const 
                                        Grid<double> terrain) {
   std::string fault = size_fault(occupied, unknown);
   if (!fault.empty()) return invalid_map(std::move(fault), "cells");
-  fault = frame_fault(frame);
+  fault = frame_fault(frame, occupied.width(), occupied.height());
   if (!fault.empty()) return invalid_map(std::move(fault), "frame");
   fault = terrain_fault(terrain, occupied.width(), occupied.height());
   if (!fault.empty()) return invalid_map(std::move(fault), "terrain");

@@ -101,8 +101,8 @@ class GridMap {
 
 /// Makes a map of one cell or more. `terrain` is empty for uniform cost, else as large as `cells`, with
 /// every multiplier finite and at least 1. Fails with invalid_map if that is not so, if the map has more
-/// than GridMap::kMaxCells cells, if the frame's resolution is not finite and above 0, or if its origin
-/// is not finite. O(cells).
+/// than GridMap::kMaxCells cells, if the frame's resolution is not in 1e-9..1e9 m, or if its origin is not finite
+/// or 1e12 cells away. O(cells).
 WEND_API Expected<GridMap, Error> make_grid_map(const Grid<CellState>& cells,
                                                 const Frame& frame = {}, Grid<double> terrain = {});
 

@@ -1,7 +1,6 @@
 #include "wend/path/corner_rounding.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -9,6 +8,8 @@
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/geometry/trigonometry.hpp"
+#include "wend/path/length_fault.hpp"
+#include "wend/path/path_fault.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/robot/fits_along.hpp"
 
@@ -65,8 +66,12 @@ Path rounded(std::vector<Point> points, const FreeSpace& space, double window,
 
 }  // namespace
 
-Path rounded_corners(const Path& path, const FreeSpace& space, double window, Adjacency adjacency) {
-  assert(!path.empty() && window >= 0);
+Expected<Path, Error> rounded_corners(const Path& path, const FreeSpace& space, double window,
+                                      Adjacency adjacency) {
+  if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
+  if (auto fault = fault_of_length("corner_rounding", window)) {
+    return Unexpected<Error>(*std::move(fault));
+  }
   return path.visit([&](const JoinedPoses&) { return path; },
                     [&](const auto&) { return rounded(path.points(), space, window, adjacency); });
 }

@@ -1,17 +1,20 @@
 #include "wend/path/curvature_smoother.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "wend/base/parse.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/geometry/trigonometry.hpp"
+#include "wend/path/path_fault.hpp"
 #include "wend/path/path_metrics.hpp"
+#include "wend/path/simplification.hpp"
 #include "wend/path/smoothing.hpp"
 
 namespace wend {
@@ -47,12 +50,15 @@ struct CurvatureFlags : CurvatureOptions {
   }
 };
 
-/// The same way with points near enough to each other that arcs within kCornerRounding of them can
-/// have the radius.
-Path divided(std::span<const Point> points, double radius) {
+/// The longest line on which arcs within kCornerRounding of the points can have the radius.
+double longest_line(double radius) {
   constexpr double kLongest = 1.5;  // cells: steps to neighbouring cells stay whole
   constexpr double kShortest = 0.1;
-  const double longest = std::clamp(radius / 2, kShortest, kLongest);
+  return std::clamp(radius / 2, kShortest, kLongest);
+}
+
+/// The same way with points near enough to each other.
+Path divided(std::span<const Point> points, double longest) {
   std::vector<Point> dense{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Line line{points[i - 1], points[i]};
@@ -104,13 +110,19 @@ bool is_within(std::vector<Point> points, double radius) {
 /// Moves the points of a path, sweep by sweep.
 class CurvatureSweeps {
  public:
-  CurvatureSweeps(const Path& path, MovablePath moved, const CurvatureOptions& options)
-      : path_(path.points()), moved_(std::move(moved)), options_(options), held_(path_.size()) {}
+  CurvatureSweeps(const Path& path, MovablePath moved, const CurvatureOptions& options,
+                  const StopSmoothing& stop)
+      : path_(path.points()),
+        moved_(std::move(moved)),
+        options_(options),
+        stop_(stop),
+        held_(path_.size()) {}
 
   Smoothed run() && {
     Smoothed result;
     const auto most = static_cast<std::uint64_t>(options_.max_sweeps);
     while (!result.converged && result.sweeps < most) {
+      if (stop_.before_sweep()) break;
       begin_sweep();
       if (result.sweeps < kGradientSweeps) {
         for_each_inner([&](std::size_t i) { descend(i); });
@@ -122,8 +134,13 @@ class CurvatureSweeps {
         backwards_ = !backwards_;  // what is moved at one end soon reaches the other
         result.converged = squared_change_ < kStill;
       }
+      if (stop_.stopped()) {
+        result.converged = false;
+        break;
+      }
       ++result.sweeps;
     }
+    result.stopped = stop_.stopped();
     const auto held = std::count(held_.begin(), held_.end(), true);
     if (path_.size() > 2) {
       result.held = static_cast<double>(held) / static_cast<double>(path_.size() - 2);
@@ -145,7 +162,9 @@ class CurvatureSweeps {
 
   template <class Visit>
   void for_each_inner(Visit&& visit) {
-    for (std::size_t i = 1; i + 1 < path_.size(); ++i) visit(backwards_ ? path_.size() - 1 - i : i);
+    for (std::size_t i = 1; i + 1 < path_.size() && !stop_.before_point(); ++i) {
+      visit(backwards_ ? path_.size() - 1 - i : i);
+    }
   }
 
   void move(std::size_t i, Point by) {
@@ -191,6 +210,7 @@ class CurvatureSweeps {
   std::vector<Point> path_;
   MovablePath moved_;
   CurvatureOptions options_;
+  StopCheck stop_;
   std::vector<bool> held_;  // points that did not go all the way in this sweep
   double squared_change_ = 0;
   bool backwards_ = false;
@@ -199,25 +219,33 @@ class CurvatureSweeps {
 }  // namespace
 
 SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
-                                    const CurvatureOptions& options) {
-  assert(!path.empty());
+                                    const CurvatureOptions& options, const StopSmoothing& stop) {
   if (const auto fault = fault_of(options)) return failure(Status::invalid_option, *fault);
+  if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
+  const double longest = longest_line(options.radius);
+  if (path.length() / longest > static_cast<double>(kMostResampled)) {
+    return failure(Status::unsupported_query,
+                   "the path is too long for its smoother: " + format_number(path.length()) +
+                       " cells in lines of " + format_number(longest) + " make more than " +
+                       std::to_string(kMostResampled) + " points");
+  }
   const Path dense =
       path.visit([&](const JoinedPoses&) { return path; },  // which MovablePath refuses
-                 [&](const auto&) { return divided(path.points(), options.radius); });
+                 [&](const auto&) { return divided(path.points(), longest); });
   auto movable = MovablePath::from(dense, space, options);
   if (!movable) return Unexpected<Error>(std::move(movable).error());
-  return CurvatureSweeps(dense, *std::move(movable), options).run();
+  return CurvatureSweeps(dense, *std::move(movable), options, stop).run();
 }
 
 SmootherInfo curvature_smoother() {
   return smoother_with<CurvatureFlags>(
       "curvature", "Limits the curvature to a turning radius where obstacles leave room for it",
       "Kaczmarz 1937; Mueller and others 2007, Position based dynamics",
-      [](const Path& path, const FreeSpace& space, CurvatureFlags flags) {
+      [](const Path& path, const FreeSpace& space, CurvatureFlags flags,
+         const StopSmoothing& stop) {
         const double resolution = space.map().frame().resolution;
         if (flags.turning_radius > 0) flags.radius = flags.turning_radius / resolution;
-        return smooth_by_curvature(path, space, flags);
+        return smooth_by_curvature(path, space, flags, stop);
       });
 }
 

@@ -44,8 +44,10 @@ struct CurvatureOptions {
   }
 };
 
-/// Errors: see Error. A path is not empty. O(points) a sweep.
+/// Errors: see SmoothingResult; unsupported_query for a path that would be divided into more than kMostResampled
+/// points, too. O(points) a sweep.
 SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
-                                    const CurvatureOptions& options = {});
+                                    const CurvatureOptions& options = {},
+                                    const StopSmoothing& stop = {});
 
 }  // namespace wend

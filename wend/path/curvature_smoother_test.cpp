@@ -26,7 +26,7 @@ Path right_angle(int leg) {
 }
 
 double smallest_radius(const Path& path, const FreeSpace& space) {
-  return measure(path, space).rounded_turning_radius;
+  return measure(path, space)->rounded_turning_radius;
 }
 
 TEST(CurvatureSmoother, WidensBendsToItsRadius) {

@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "wend/base/parse.hpp"
 #include "wend/geometry/segment.hpp"
 #include "wend/path/drive_window.hpp"
 #include "wend/path/path_collision.hpp"
+#include "wend/path/path_fault.hpp"
 #include "wend/path/smoothing.hpp"
 
 namespace wend {
@@ -68,10 +70,11 @@ std::vector<Pose> cut(const Path& path, double spacing) {
 class DriveSweeps {
  public:
   DriveSweeps(const Path& path, const FreeSpace& space, const DriveObjective& objective,
-              const DriveSmootherOptions& options)
+              const DriveSmootherOptions& options, const StopSmoothing& stop)
       : space_(space),
         objective_(objective),
         options_(options),
+        stop_(stop),
         poses_(cut(path, kSpacing * objective.radius)),
         longest_(path.length() * (1 + options.longer)),
         length_(path.length()) {}
@@ -81,12 +84,15 @@ class DriveSweeps {
     double first_gain = 0;
     while (!smoothed.converged &&
            smoothed.sweeps < static_cast<std::uint64_t>(options_.max_sweeps)) {
+      if (is_stopped()) break;
       const double gain = sweep(smoothed.sweeps % 2 == 0 ? 0 : kWindow / 4);
+      if (stopped_) break;
       if (smoothed.sweeps++ == 0) first_gain = gain;
       smoothed.converged = smoothed.sweeps > 1 && gain <= kConverged * first_gain;
     }
     smoothed.held = windows_ > 0 ? static_cast<double>(held_) / static_cast<double>(windows_) : 0;
     smoothed.path = Path::through(poses_);
+    smoothed.stopped = stopped_;
     return smoothed;
   }
 
@@ -101,6 +107,12 @@ class DriveSweeps {
   }
 
  private:
+  /// A window takes far longer than the question.
+  bool is_stopped() {
+    stopped_ = stopped_ || (stop_ && stop_());
+    return stopped_;
+  }
+
   std::size_t piece_count() const { return poses_.size() - 1; }
   Segment piece(std::size_t i) const { return segment_between(poses_[i], poses_[i + 1]); }
 
@@ -134,7 +146,7 @@ class DriveSweeps {
     double gain = 0;
     windows_ = 0;
     held_ = 0;
-    for (std::size_t first = offset; first < piece_count(); first += kWindow / 2) {
+    for (std::size_t first = offset; first < piece_count() && !is_stopped(); first += kWindow / 2) {
       std::size_t end = first;
       while (end < std::min(first + kWindow, piece_count()) && movable(end)) ++end;
       if (end - first >= 2) gain += improve(first, end);
@@ -189,12 +201,14 @@ class DriveSweeps {
   const FreeSpace& space_;
   DriveObjective objective_;
   DriveSmootherOptions options_;
+  const StopSmoothing& stop_;
   std::vector<Pose> poses_;
   double longest_;           // cells
   double length_;            // cells
   std::size_t windows_ = 0;  // of this sweep
   std::size_t held_ = 0;     // of these, by obstacles
   bool changed_ = false;
+  bool stopped_ = false;
 };
 
 /// Of a path with arcs.
@@ -211,16 +225,31 @@ DriveObjective objective_for(const Path& path, const FreeSpace& space,
           .clearance = options.clearance > 0 ? inscribed + options.clearance / resolution : 0};
 }
 
+/// Why a path cannot be cut into pieces to be smoothed.
+std::optional<Error> fault_of(const Path& path, const FreeSpace& space,
+                              const DriveSmootherOptions& options) {
+  if (auto fault = fault_of(options)) return fault;
+  if (auto fault = wend::fault_of(path, space)) return fault;
+  if (!path.driven()) {
+    return Error{Status::unsupported_query,
+                 "the smoother of drives needs a path of poses: use the smoother gradient",
+                 {}};
+  }
+  const double radius = objective_for(path, space, options).radius;
+  const double pieces = path.length() / (kSpacing * radius) + static_cast<double>(path.size());
+  if (!(pieces > kMostDrivePieces)) return std::nullopt;
+  return Error{Status::unsupported_query,
+               "the path is too long for its turning radius of " + format_number(radius) +
+                   " cells: it would be cut into more than " + std::to_string(kMostDrivePieces) +
+                   " pieces",
+               {}};
+}
+
 }  // namespace
 
 SmoothingResult smooth_drive(const Path& path, const FreeSpace& space,
-                             const DriveSmootherOptions& options) {
-  assert(!path.empty());
-  if (const auto fault = fault_of(options)) return Unexpected<Error>(*fault);
-  if (!path.driven()) {
-    return failure(Status::unsupported_query,
-                   "the smoother of drives needs a path of poses: use the smoother gradient");
-  }
+                             const DriveSmootherOptions& options, const StopSmoothing& stop) {
+  if (auto fault = fault_of(path, space, options)) return Unexpected<Error>(*std::move(fault));
   if (const auto collision = first_collision(path, space)) {
     return failure(Status::unsupported_query, text_of(*collision));
   }
@@ -230,27 +259,28 @@ SmoothingResult smooth_drive(const Path& path, const FreeSpace& space,
   const DriveObjective objective = objective_for(path, space, options);
   Smoothed unchanged{.path = path, .converged = true, .within_bound = within};
   if (!std::isfinite(objective.radius)) return unchanged;
-  DriveSweeps sweeps(path, space, objective, options);
+  DriveSweeps sweeps(path, space, objective, options, stop);
   Smoothed smoothed = sweeps.run();
   smoothed.within_bound = within;
   if (!sweeps.changed()) smoothed.path = path;
   return smoothed;
 }
 
-double drive_roughness(const Path& path, const FreeSpace& space,
-                       const DriveSmootherOptions& options) {
+Expected<double, Error> drive_roughness(const Path& path, const FreeSpace& space,
+                                        const DriveSmootherOptions& options) {
+  if (auto fault = fault_of(path, space, options)) return Unexpected<Error>(*std::move(fault));
   const DriveObjective objective = objective_for(path, space, options);
-  return std::isfinite(objective.radius) ? DriveSweeps(path, space, objective, options).objective()
-                                         : path.length();
+  if (!std::isfinite(objective.radius)) return path.length();
+  const StopSmoothing never;
+  return DriveSweeps(path, space, objective, options, never).objective();
 }
 
 SmootherInfo drive_smoother() {
   SmootherInfo info = smoother_with<DriveSmootherOptions>(
       "drive", "Widens the arcs of a path of poses, with a least turning radius",
       "Dolgov, Thrun, Montemerlo, Diebel 2010",
-      [](const Path& path, const FreeSpace& space, const DriveSmootherOptions& options) {
-        return smooth_drive(path, space, options);
-      });
+      [](const Path& path, const FreeSpace& space, const DriveSmootherOptions& options,
+         const StopSmoothing& stop) { return smooth_drive(path, space, options, stop); });
   info.drives = true;
   return info;
 }

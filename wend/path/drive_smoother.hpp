@@ -61,13 +61,19 @@ struct DriveSmootherOptions {
   }
 };
 
-/// Smooths a path of poses that is not empty. Fails with invalid_option for options out of range, and with
-/// unsupported_query for a path of cells or waypoints and one that is not free. O(arcs) a sweep.
-WEND_API SmoothingResult smooth_drive(const Path& path, const FreeSpace& space,
-                                      const DriveSmootherOptions& options = {});
+/// No path is cut into more pieces than these to be smoothed.
+inline constexpr int kMostDrivePieces = 20'000;
 
-/// The sum that smooth_drive() lowers, for a path of poses, cut into pieces as there. O(arcs).
-WEND_API double drive_roughness(const Path& path, const FreeSpace& space,
-                                const DriveSmootherOptions& options = {});
+/// Smooths a path of poses. Fails with invalid_option for options out of range, and with unsupported_query for a path
+/// of cells or waypoints, one with a fault (path_fault.hpp), one that is not free, and one that is so long for its
+/// turning radius that it would be cut into more than kMostDrivePieces. O(arcs) a sweep.
+WEND_API SmoothingResult smooth_drive(const Path& path, const FreeSpace& space,
+                                      const DriveSmootherOptions& options = {},
+                                      const StopSmoothing& stop = {});
+
+/// The sum that smooth_drive() lowers, for a path of poses, cut into pieces as there. Fails as that does, but for a
+/// path that is not free. O(arcs).
+WEND_API Expected<double, Error> drive_roughness(const Path& path, const FreeSpace& space,
+                                                 const DriveSmootherOptions& options = {});
 
 }  // namespace wend

@@ -93,11 +93,11 @@ RC_GTEST_PROP(DriveSmoother, KeepsEndsRadiusAndFreedomAndLowersItsSum, ()) {
   RC_ASSERT(!first_collision(result, space));
   RC_ASSERT(fits_everywhere(result, space));
   RC_ASSERT(result.length() <= path->length() * (1 + longer) + 1e-9);
-  const double before = drive_roughness(*path, space, options);
-  const double after = drive_roughness(result, space, options);
+  const double before = *drive_roughness(*path, space, options);
+  const double after = *drive_roughness(result, space, options);
   RC_ASSERT(after <= before * (1 + 1e-9));
   RC_CLASSIFY(after < 0.95 * before, "by 5 % or more");
-  RC_CLASSIFY(measure(*path, space).reversals > 0, "with changes of gear");
+  RC_CLASSIFY(measure(*path, space)->reversals > 0, "with changes of gear");
 }
 
 TEST(DriveSmoother, WidensAnArcBetweenLines) {
@@ -106,7 +106,7 @@ TEST(DriveSmoother, WidensAnArcBetweenLines) {
       Path::through({{10, 10, 0}, {40, 10, 0}, {44, 14, kPi / 2}, {44, 44, kPi / 2}});
   const auto smoothed = smooth_drive(sharp, space, {.clearance = 0});
   ASSERT_TRUE(smoothed);
-  EXPECT_GT(measure(smoothed->path, space).smallest_turning_radius, 2 * kLeastRadius);
+  EXPECT_GT(measure(smoothed->path, space)->smallest_turning_radius, 2 * kLeastRadius);
   EXPECT_LT(smoothed->path.length(), sharp.length()) << "a wide arc cuts the corner";
   EXPECT_TRUE(smoothed->within_bound);
 }
@@ -120,7 +120,7 @@ TEST(DriveSmoother, MovesAChangeOfGearAndKeepsTheGears) {
   const auto smoothed = smooth_drive(parking, space, {.clearance = 0, .longer = 0.3});
   ASSERT_TRUE(smoothed);
   EXPECT_NE(smoothed->path, parking);
-  EXPECT_EQ(measure(smoothed->path, space).reversals, measure(parking, space).reversals);
+  EXPECT_EQ(measure(smoothed->path, space)->reversals, measure(parking, space)->reversals);
 }
 
 TEST(DriveSmoother, LeavesAStraightPathAndTurnsInPlaceAsTheyAre) {

@@ -54,9 +54,11 @@ struct GradientOptions {
   }
 };
 
-/// Smooths a path (not empty, of cells or waypoints). Fails with invalid_option for options out of
-/// range, and with unsupported_query for a path of poses or one that is not free. O(points) a sweep.
+/// Smooths a path of cells or waypoints. Fails with invalid_option for options out of range, and with
+/// unsupported_query for a path of poses, one with a fault (path_fault.hpp) or one that is not free. O(points) a
+/// sweep.
 WEND_API SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
-                                            const GradientOptions& options = {});
+                                            const GradientOptions& options = {},
+                                            const StopSmoothing& stop = {});
 
 }  // namespace wend

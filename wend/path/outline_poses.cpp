@@ -1,8 +1,9 @@
 #include "wend/path/outline_poses.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "wend/path/path_fault.hpp"
 
 namespace wend {
 namespace {
@@ -21,7 +22,7 @@ double outline_spacing(double length, double radius) {
 }  // namespace
 
 std::vector<Pose> outline_poses(const Path& path, double radius) {
-  assert(!path.empty() && radius > 0);
+  if (fault_of(path)) return {};
   return path.visit(
       [&](const JoinedPoses& drive) {
         return poses_along(drive, outline_spacing(path.length(), radius));
@@ -30,7 +31,6 @@ std::vector<Pose> outline_poses(const Path& path, double radius) {
 }
 
 std::vector<Pose> outline_poses(const Polyline& line, double radius) {
-  assert(radius > 0);
   return poses_along(line, outline_spacing(line.length(), radius));
 }
 

@@ -16,7 +16,8 @@ namespace wend {
 
 /// Poses along a path (not empty), in grid coordinates, for a robot that a disc of `radius` (> 0, cells)
 /// covers: 1.6 widths of the disc apart or a little more, and at most 201. On a path of poses with the
-/// path's headings, else along the way. O(n).
+/// path's headings, else along the way. None for a path with a fault (path_fault.hpp), the two ends for a radius that
+/// is NaN. O(n).
 WEND_API std::vector<Pose> outline_poses(const Path& path, double radius);
 
 /// The same on a polyline, heading along it.

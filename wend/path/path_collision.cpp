@@ -5,9 +5,11 @@
 #include <cassert>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "wend/base/choice.hpp"
 #include "wend/geometry/arc_distance.hpp"
+#include "wend/path/path_fault.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/placed_polygon.hpp"
 #include "wend/robot/point_sweep.hpp"
@@ -72,11 +74,30 @@ std::optional<Cell> nearest_to_polygon(const FreeSpace& space, const Pose& pose,
   return nearest;
 }
 
-/// Moves the space's robot along the pieces of a path until it collides.
+/// The greatest share of a way at whose beginning a test holds, and one at which it does not any more. It holds at
+/// `low`, not at `high`, and at no share after one where it does not.
+struct Limit {
+  double low = 0;
+  double high = 1;
+
+  template <class Test>
+  void bisect(double extent, const Test& holds) {
+    while ((high - low) * extent > kBisected) {
+      const double middle = (low + high) / 2;
+      if (!(low < middle && middle < high)) return;
+      (holds(middle) ? low : high) = middle;
+    }
+  }
+};
+
+/// Moves the space's robot along the pieces of a path until it collides; or without an adjacency its base point
+/// until that leaves the map.
 class PathSweep {
  public:
-  PathSweep(const FreeSpace& space, Point start, Adjacency adjacency)
-      : space_(space), adjacency_(adjacency), point_(space, start, adjacency) {}
+  PathSweep(const FreeSpace& space, Point start, std::optional<Adjacency> adjacency)
+      : space_(space),
+        adjacency_(adjacency),
+        point_(space, start, adjacency.value_or(Adjacency::edges)) {}
 
   /// A line or an arc.
   template <class Way>
@@ -103,17 +124,35 @@ class PathSweep {
     return go_along(line);
   }
 
+  /// The next point is of no use: the path leaves the map where it is.
+  PathCollision leave_at(Point point) const {
+    return {CollisionKind::outside, piece_, along_, point, {}};
+  }
+
  private:
+  /// On the map alone the robot is swept: as far as its base point stays there.
   template <class Way>
   std::optional<PathCollision> collision_along(const Way& way) {
+    if (!on_map(space_, way)) return collision_on_the_way_out(way);
     PointSweep point = point_;
-    if (!on_map(space_, way) || !fits(point, way)) return first_contact(way);
+    if (!fits(point, way)) return first_contact(way, 1);
     point_ = point;
     return std::nullopt;
   }
 
   template <class Way>
+  PathCollision collision_on_the_way_out(const Way& way) const {
+    const auto stays = [&](double share) { return on_map(space_, beginning_of(way, share)); };
+    if (!stays(0)) return leave_at(end_of(beginning_of(way, 0)).point());
+    Limit limit;
+    limit.bisect(extent_of(way), stays);
+    if (!fits_from_here(beginning_of(way, limit.low))) return first_contact(way, limit.low);
+    return collision_at(way, limit);
+  }
+
+  template <class Way>
   bool fits(PointSweep& point, const Way& way) const {
+    if (!adjacency_) return true;
     return space_.is_point() ? go(point, way) : fits_along(space_, way);
   }
 
@@ -144,24 +183,24 @@ class PathSweep {
     return length_of(way);
   }
 
-  /// Bisects a piece that is not free.
+  /// Bisects a piece whose beginning is not free.
   template <class Way>
-  PathCollision first_contact(const Way& way) const {
-    const auto free = [&](double share) {
-      const Way beginning = beginning_of(way, share);
-      return on_map(space_, beginning) && fits_from_here(beginning);
-    };
-    double low = 0;
-    double high = free(0) ? 1 : 0;
-    while ((high - low) * extent_of(way) > kBisected) {
-      const double middle = (low + high) / 2;
-      (free(middle) ? low : high) = middle;
-    }
+  PathCollision first_contact(const Way& way, double share) const {
+    const auto free = [&](double of_way) { return fits_from_here(beginning_of(way, of_way)); };
+    Limit limit{0, share};
+    if (!free(0)) return collision_at(way, {0, 0});
+    limit.bisect(extent_of(way), free);
+    return collision_at(way, limit);
+  }
+
+  template <class Way>
+  PathCollision collision_at(const Way& way, const Limit& limit) const {
     PathCollision collision;
     collision.piece = piece_;
-    collision.along = along_ + low * length_of(way);
-    collision.point = end_of(beginning_of(way, low)).point();
-    tell(beginning_of(way, high), collision);
+    collision.along = along_ + limit.low * length_of(way);
+    collision.point = end_of(beginning_of(way, limit.low)).point();
+    collision.kind = CollisionKind::outside;
+    if (adjacency_) tell(beginning_of(way, limit.high), collision);
     return collision;
   }
 
@@ -203,7 +242,7 @@ class PathSweep {
   }
 
   const FreeSpace& space_;
-  Adjacency adjacency_;
+  std::optional<Adjacency> adjacency_;
   PointSweep point_;
   std::optional<double> heading_;  // of a polygon, once it has moved
   std::size_t piece_ = 0;
@@ -239,6 +278,34 @@ std::optional<PathCollision> collision_of_lines(std::span<const Point> points, P
   return std::nullopt;
 }
 
+/// The point of the map nearest to one that may contain NaN or infinity; the origin for NaN.
+Point nearest_on_map(const FreeSpace& space, Point point) {
+  return {std::min(std::max(0.0, point.x), space.width() + 0.0),
+          std::min(std::max(0.0, point.y), space.height() + 0.0)};
+}
+
+/// Sweeps the part of a path that has no fault, and leaves the map where that ends.
+std::optional<PathCollision> collision_of(const Path& path, const FreeSpace& space,
+                                          std::optional<Adjacency> adjacency) {
+  if (path.empty()) return std::nullopt;
+  std::vector<Point> points = path.points();
+  const std::size_t good = points_without_fault(path);
+  const bool whole = good == points.size();
+  points.resize(good);
+  if (points.empty()) {
+    const Point start = nearest_on_map(space, path.points().front());
+    return PathSweep(space, start, adjacency).leave_at(start);
+  }
+  PathSweep sweep(space, points.front(), adjacency);
+  auto collision = path.visit(
+      [&](const JoinedPoses& drive) {
+        return collision_of_drive(JoinedPoses(drive.poses().first(good)), sweep);
+      },
+      [&](const auto&) { return collision_of_lines(points, sweep); });
+  if (!collision && !whole) return sweep.leave_at(points.back());
+  return collision;
+}
+
 }  // namespace
 
 std::string_view describe(CollisionKind kind) {
@@ -253,11 +320,11 @@ std::string_view describe(CollisionKind kind) {
 
 std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& space,
                                              Adjacency adjacency) {
-  assert(!path.empty());
-  const std::vector<Point> points = path.points();
-  PathSweep sweep(space, points.front(), adjacency);
-  return path.visit([&](const JoinedPoses& drive) { return collision_of_drive(drive, sweep); },
-                    [&](const auto&) { return collision_of_lines(points, sweep); });
+  return collision_of(path, space, adjacency);
+}
+
+std::optional<PathCollision> first_exit(const Path& path, const FreeSpace& space) {
+  return collision_of(path, space, std::nullopt);
 }
 
 }  // namespace wend

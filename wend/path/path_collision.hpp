@@ -15,6 +15,9 @@
 // headings, a polygon has to fit at every one. The base point stays on the map, and
 // the shape too if the outside is blocked. Exact up to rounding, but where a polygon turns:
 // fits_along.hpp says how conservative that is.
+//
+// The time depends on the length of the way on the map: a way off it is not swept. A path whose numbers are of
+// no use (fault_of(), path_fault.hpp) leaves the map at the last point before these.
 
 #include <cstddef>
 #include <optional>
@@ -49,8 +52,11 @@ struct PathCollision {
   std::optional<Cell> obstacle;  // unset for a collision with the map's edge
 };
 
-/// Nothing if the whole path (not empty) is free. O(length) far from obstacles.
+/// Nothing if the whole path is free, and for an empty one. O(length on the map) far from obstacles.
 WEND_API std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& space,
                                                       Adjacency adjacency = Adjacency::edges);
+
+/// Where the robot's base point first leaves the map, whatever else is in its way; nothing if it does not. O(n).
+WEND_API std::optional<PathCollision> first_exit(const Path& path, const FreeSpace& space);
 
 }  // namespace wend

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "tests/testing/sampled_robot.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/path/path_fault.hpp"
 
 namespace wend {
 namespace {
@@ -293,6 +295,55 @@ TEST(PathCollision, OfAPathThatStandsIsWhereItStands) {
   }
   EXPECT_EQ(first_collision(Path({{1, 0}}), space)->kind, CollisionKind::too_close);
   EXPECT_FALSE(first_collision(Path({{1, 1}}), space));
+}
+
+/// A way of 1e9 cells would take minutes to sweep.
+TEST(FirstCollision, LeavesTheMapBeforeItSweepsWhatIsFarOffIt) {
+  for (const double far : {1e9, -1e9, 1e18, -1e300}) {
+    for (const bool disc : {false, true}) {
+      const FreeSpace space = test::drawn_space("......\n......\n..#...\n",
+                                                {.footprint = Footprint::disc(disc ? 0.5 : 0)});
+      const auto along = first_collision(Path::along({{1, 1}, {far, 1}}), space);
+      ASSERT_TRUE(along);
+      EXPECT_EQ(along->kind, CollisionKind::outside) << far;
+      if (std::abs(far) > kFarthestPoint) {
+        EXPECT_EQ(along->point, (Point{1, 1})) << "the last point that has no fault";
+      } else {
+        EXPECT_NEAR(along->point.x, far > 0 ? 6 : 0, disc ? 0.6 : 1e-6) << far;
+      }
+      const auto drive = first_collision(Path::through({{1, 1, 0}, {far, 1, 0}}), space);
+      ASSERT_TRUE(drive);
+      EXPECT_EQ(drive->kind, CollisionKind::outside) << far;
+    }
+  }
+}
+
+TEST(FirstCollision, FindsAnObstacleBeforeThePathLeavesTheMap) {
+  const FreeSpace space = test::drawn_space("......\n..#...\n......\n");
+  const auto collision = first_collision(Path::along({{0.5, 1.5}, {1e9, 1.5}}), space);
+  ASSERT_TRUE(collision);
+  EXPECT_EQ(collision->kind, CollisionKind::obstacle);
+  EXPECT_NEAR(collision->point.x, 2, 1e-6);
+  const auto exit = first_exit(Path::along({{0.5, 1.5}, {1e9, 1.5}}), space);
+  ASSERT_TRUE(exit);
+  EXPECT_EQ(exit->kind, CollisionKind::outside);
+  EXPECT_NEAR(exit->point.x, 6, 1e-6);
+  EXPECT_NEAR(exit->along, 5.5, 1e-6);
+  EXPECT_FALSE(first_exit(Path::along({{0.5, 1.5}, {6, 3}}), space));
+}
+
+TEST(FirstCollision, OfAPathWithNaNIsAtTheLastPointBeforeIt) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const FreeSpace space = test::open_space(6, 3);
+  const auto later = first_collision(Path::along({{1, 1}, {2, 1}, {kNan, 1}}), space);
+  ASSERT_TRUE(later);
+  EXPECT_EQ(later->kind, CollisionKind::outside);
+  EXPECT_EQ(later->point, (Point{2, 1}));
+  EXPECT_EQ(later->along, 1);
+  const auto first = first_collision(Path::through({{kNan, 9, 0}}), space);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->point, (Point{0, 3})) << "the place of the map that is nearest";
+  EXPECT_FALSE(first_collision(Path{}, space));
 }
 
 }  // namespace

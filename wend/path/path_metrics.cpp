@@ -1,12 +1,15 @@
 #include "wend/path/path_metrics.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/path/length_fault.hpp"
+#include "wend/path/path_fault.hpp"
 #include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
@@ -148,8 +151,12 @@ double Corner::widest_half_turn(double radius, double window) const {
   return std::min(tangent_ / radius, std::sqrt(secant * secant - 1));
 }
 
-PathMetrics measure(const Path& path, const FreeSpace& space, double corner_rounding) {
-  assert(!path.empty() && corner_rounding >= 0);
+Expected<PathMetrics, Error> measure(const Path& path, const FreeSpace& space,
+                                     double corner_rounding) {
+  if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
+  if (auto fault = fault_of_length("corner_rounding", corner_rounding)) {
+    return Unexpected<Error>(*std::move(fault));
+  }
   PathMetrics metrics =
       path.visit([&](std::span<const Cell> cells) { return measure_cells(cells, path, space); },
                  [&](const auto&) { return measure_arcs(path, space); });

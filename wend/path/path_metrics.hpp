@@ -4,6 +4,7 @@
 // that rounds a corner of it.
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/error.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
@@ -77,11 +78,11 @@ struct PathMetrics {
   double mean_clearance = 0;  // cells
 };
 
-/// Measures a path (not empty) whose cells are on the map; poses and waypoints may also be on its
-/// border or outside of it. It need not be passable: inside obstacles the clearance is 0. O(cells) for
-/// steps to neighbouring cells; longer ones as way_clearance(), and each cell's length of an arc as
-/// arc_clearance().
-WEND_API PathMetrics measure(const Path& path, const FreeSpace& space,
-                             double corner_rounding = kCornerRounding);
+/// Measures a path whose cells are on the map; poses and waypoints may also be on its border or outside of it. It
+/// need not be passable: inside obstacles the clearance is 0. Fails as fault_of() does (path_fault.hpp), and with
+/// invalid_option for a window that is not finite or negative. O(cells) for steps to neighbouring cells; longer ones
+/// as way_clearance(), and each cell's length of an arc as arc_clearance().
+WEND_API Expected<PathMetrics, Error> measure(const Path& path, const FreeSpace& space,
+                                              double corner_rounding = kCornerRounding);
 
 }  // namespace wend

@@ -22,7 +22,7 @@ namespace wend {
 namespace {
 
 PathMetrics on_open_ground(const std::vector<Cell>& cells) {
-  return measure(Path(cells), test::open_space(20, 20));
+  return *measure(Path(cells), test::open_space(20, 20));
 }
 
 double turning(const std::vector<Cell>& cells) { return on_open_ground(cells).turning; }
@@ -66,18 +66,18 @@ TEST(PathMetrics, WithoutObstaclesHasInfiniteClearance) {
 TEST(PathMetrics, WeighsClearanceByLength) {
   // From the obstacle the cells are 0.5, 1.5 and 2.5 away.
   const FreeSpace space = test::drawn_space("#...\n#...\n#...");
-  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}, {2, 0}, {3, 0}}), space).mean_clearance, 1.5);
-  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}, {2, 0}, {2, 1}}), space).mean_clearance, 1.25);
-  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}, {2, 1}, {2, 2}}), space).mean_clearance,
+  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}, {2, 0}, {3, 0}}), space)->mean_clearance, 1.5);
+  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}, {2, 0}, {2, 1}}), space)->mean_clearance, 1.25);
+  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}, {2, 1}, {2, 2}}), space)->mean_clearance,
                    (std::sqrt(2) * 1 + 1.5) / (std::sqrt(2) + 1));
-  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}}), space).mean_clearance, 0.5);
-  EXPECT_DOUBLE_EQ(measure(Path({{3, 0}, {3, 0}}), space).mean_clearance, 2.5);
+  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}}), space)->mean_clearance, 0.5);
+  EXPECT_DOUBLE_EQ(measure(Path({{3, 0}, {3, 0}}), space)->mean_clearance, 2.5);
 }
 
 TEST(PathMetrics, HasNoClearanceWhereItCutsACorner) {
   const FreeSpace space = test::drawn_space("...\n.#.\n...");
-  EXPECT_EQ(measure(Path({{0, 0}, {1, 0}, {2, 1}}), space).smallest_clearance, 0);
-  EXPECT_EQ(measure(Path({{0, 0}, {1, 0}, {2, 0}, {2, 1}}), space).smallest_clearance, 0.5);
+  EXPECT_EQ(measure(Path({{0, 0}, {1, 0}, {2, 1}}), space)->smallest_clearance, 0);
+  EXPECT_EQ(measure(Path({{0, 0}, {1, 0}, {2, 0}, {2, 1}}), space)->smallest_clearance, 0.5);
 }
 
 /// Densely sampled: never less than what is claimed, and down to it.
@@ -103,7 +103,7 @@ TEST(PathMetrics, SmallestClearanceIsThatOfTheNearestPoint) {
                                                            cells[i - 1].y + 0.5 + share * dy}));
       }
     }
-    const double smallest = measure(path, space).smallest_clearance;
+    const double smallest = measure(path, space)->smallest_clearance;
     if (least == test::kInfinite) {
       ASSERT_EQ(smallest, least);
       continue;
@@ -116,7 +116,7 @@ TEST(PathMetrics, SmallestClearanceIsThatOfTheNearestPoint) {
 }
 
 PathMetrics driven_on_open_ground(const std::vector<Pose>& poses) {
-  return measure(Path::through(poses), test::open_space(20, 20));
+  return *measure(Path::through(poses), test::open_space(20, 20));
 }
 
 TEST(PathMetrics, OfADrivenPathAddUpItsArcs) {
@@ -145,7 +145,7 @@ TEST(PathMetrics, CountHowOftenACarChangesGear) {
 TEST(PathMetrics, OfACarThatStandsAreThoseOfItsPoint) {
   const FreeSpace space = test::drawn_space("#...\n....");
   for (const auto& poses : {std::vector<Pose>{{4, 2, 0}}, {{4, 2, 0}, {4, 2, 0}}}) {
-    const PathMetrics metrics = measure(Path::through(poses), space);
+    const PathMetrics metrics = *measure(Path::through(poses), space);
     EXPECT_EQ(metrics.length, 0);
     EXPECT_EQ(metrics.turning, 0);
     EXPECT_DOUBLE_EQ(metrics.smallest_clearance, std::sqrt(10)) << "on the map's last corner";
@@ -156,12 +156,12 @@ TEST(PathMetrics, OfACarThatStandsAreThoseOfItsPoint) {
 TEST(PathMetrics, OfADrivenPathKnowTheClearanceOfArcs) {
   const FreeSpace space = test::drawn_space("...\n...\n.#.");
   // Around (0,0), past the corner (1,2), between points of clearance 1.
-  const PathMetrics turn = measure(Path::through({{0, 1, 0}, {1, 0, -kPi / 2}}), space);
+  const PathMetrics turn = *measure(Path::through({{0, 1, 0}, {1, 0, -kPi / 2}}), space);
   EXPECT_DOUBLE_EQ(turn.smallest_clearance, std::sqrt(5) - 1);
-  const PathMetrics line = measure(Path::through({{1, 1, -kPi / 2}, {1, -1, -kPi / 2}}), space);
+  const PathMetrics line = *measure(Path::through({{1, 1, -kPi / 2}, {1, -1, -kPi / 2}}), space);
   EXPECT_DOUBLE_EQ(line.smallest_clearance, 1);
   EXPECT_DOUBLE_EQ(line.mean_clearance, 2);
-  const PathMetrics crossing = measure(Path::through({{1, 1, kPi / 2}, {1, 4, kPi / 2}}), space);
+  const PathMetrics crossing = *measure(Path::through({{1, 1, kPi / 2}, {1, 4, kPi / 2}}), space);
   EXPECT_EQ(crossing.smallest_clearance, 0);
   EXPECT_DOUBLE_EQ(crossing.mean_clearance, (0.5 + 0 + 0.5) / 3) << "1, 0, 0, 1 at its points";
 }
@@ -193,7 +193,7 @@ TEST(PathMetrics, OfArcsAndLinesAreThoseOfTheirPoints) {
       longest = std::max(longest, step);
       length += std::abs(arc.length);
     }
-    const PathMetrics metrics = measure(path, space);
+    const PathMetrics metrics = *measure(path, space);
     ASSERT_NEAR(metrics.length, length, 1e-9);
     if (least == test::kInfinite) {
       ASSERT_EQ(metrics.smallest_clearance, least);
@@ -209,7 +209,7 @@ TEST(PathMetrics, OfArcsAndLinesAreThoseOfTheirPoints) {
 
 TEST(PathMetrics, OfALineThatStandsInPointsIsStraight) {
   const PathMetrics metrics =
-      measure(Path::along({{1, 1}, {4, 5}, {4, 5}, {7, 9}}), test::open_space(40, 40));
+      *measure(Path::along({{1, 1}, {4, 5}, {4, 5}, {7, 9}}), test::open_space(40, 40));
   EXPECT_DOUBLE_EQ(metrics.length, 10);
   EXPECT_EQ(metrics.turning, 0);
   EXPECT_TRUE(std::isinf(metrics.smallest_turning_radius));
@@ -225,7 +225,7 @@ RC_GTEST_PROP(PathMetrics, OfPointsOnACircleNeverOverstateItsRadius, ()) {
     const double angle = 2 * kPi * i / count;
     points.push_back({20 + radius * std::cos(angle), 20 + radius * std::sin(angle)});
   }
-  const PathMetrics metrics = measure(Path::along(points), test::open_space(40, 40));
+  const PathMetrics metrics = *measure(Path::along(points), test::open_space(40, 40));
   RC_ASSERT(metrics.smallest_turning_radius == 0);
   RC_ASSERT(metrics.rounded_turning_radius <= radius);
   if (radius * (1 - std::cos(kPi / count)) <= kCornerRounding) {
@@ -237,7 +237,7 @@ RC_GTEST_PROP(PathMetrics, OfPointsOnACircleNeverOverstateItsRadius, ()) {
 
 TEST(PathMetrics, OfASquareTurnByThreeRightAngles) {
   const PathMetrics metrics =
-      measure(Path::along({{5, 5}, {9, 5}, {9, 9}, {5, 9}, {5, 5}}), test::open_space(40, 40));
+      *measure(Path::along({{5, 5}, {9, 5}, {9, 9}, {5, 9}, {5, 5}}), test::open_space(40, 40));
   EXPECT_DOUBLE_EQ(metrics.length, 16);
   EXPECT_DOUBLE_EQ(metrics.turning, 3 * kPi / 2);
   EXPECT_EQ(metrics.smallest_turning_radius, 0);
@@ -246,7 +246,7 @@ TEST(PathMetrics, OfASquareTurnByThreeRightAngles) {
 
 TEST(PathMetrics, OfAPathThatTurnsBackHaveNoTurningRadius) {
   const PathMetrics metrics =
-      measure(Path::along({{5, 5}, {9, 5}, {6, 5}}), test::open_space(40, 40));
+      *measure(Path::along({{5, 5}, {9, 5}, {6, 5}}), test::open_space(40, 40));
   EXPECT_DOUBLE_EQ(metrics.turning, kPi);
   EXPECT_EQ(metrics.smallest_turning_radius, 0);
   EXPECT_EQ(metrics.rounded_turning_radius, 0);
@@ -257,17 +257,17 @@ TEST(PathMetrics, OfFewPointsAreNoWiderThanOfMany) {
   const FreeSpace space = test::open_space(40, 40);
   const Path dense = Path::along({{1, 5}, {2, 5}, {3, 5}, {4, 6}, {5, 7}, {6, 8}});
   const Path sparse = Path::along({{1, 5}, {3, 5}, {6, 8}});
-  EXPECT_NEAR(measure(dense, space).rounded_turning_radius,
-              measure(sparse, space).rounded_turning_radius, 0.01);
+  EXPECT_NEAR(measure(dense, space)->rounded_turning_radius,
+              measure(sparse, space)->rounded_turning_radius, 0.01);
   const Path kink = Path::along({{5, 5}, {35, 5}, {38, 33}});
-  EXPECT_LT(measure(kink, space).rounded_turning_radius, 0.3) << "of 84 degrees, in 30 cells";
-  EXPECT_GT(measure(kink, space, 1).rounded_turning_radius, 2) << "where more is cut off";
-  EXPECT_EQ(measure(kink, space, 0).rounded_turning_radius, 0);
+  EXPECT_LT(measure(kink, space)->rounded_turning_radius, 0.3) << "of 84 degrees, in 30 cells";
+  EXPECT_GT(measure(kink, space, 1)->rounded_turning_radius, 2) << "where more is cut off";
+  EXPECT_EQ(measure(kink, space, 0)->rounded_turning_radius, 0);
 }
 
 TEST(PathMetrics, OfADriveAreThoseOfItsArcs) {
   const Path drive = Path::through({{5, 5, 0}, {8, 8, kPi / 2}, {8, 6, kPi / 2}, {8, 12, kPi / 2}});
-  const PathMetrics metrics = measure(drive, test::open_space(40, 40));
+  const PathMetrics metrics = *measure(drive, test::open_space(40, 40));
   EXPECT_DOUBLE_EQ(metrics.length, 3 * kPi / 2 + 2 + 6);
   EXPECT_DOUBLE_EQ(metrics.turning, kPi / 2);
   EXPECT_DOUBLE_EQ(metrics.smallest_turning_radius, 3);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "wend/geometry/line.hpp"
 
@@ -19,13 +20,20 @@ std::vector<Point> chords_of(Point start, std::span<const Arc> arcs, double tole
   return points;
 }
 
+/// The number of gaps that are `spacing` wide, the last one perhaps less; 1 if they cannot be made.
+std::size_t gaps_of(double length, double spacing) {
+  const double gaps = std::ceil(length / spacing);
+  const bool fine = spacing > 0 && gaps < static_cast<double>(kMostPosesAlong);
+  return fine ? static_cast<std::size_t>(gaps) : 1;
+}
+
 template <class PoseType>
 std::vector<PoseType> poses_every(const BasicPolyline<PoseType>& line, double spacing) {
-  assert(spacing > 0);
-  const auto gaps = static_cast<std::size_t>(std::ceil(line.length() / spacing));
+  const std::size_t gaps = gaps_of(line.length(), spacing);
   std::vector<PoseType> poses;
   poses.reserve(gaps + 1);
-  for (std::size_t i = 0; i < gaps; ++i) poses.push_back(line.at(static_cast<double>(i) * spacing));
+  if (gaps > 0) poses.push_back(line.at(0));
+  for (std::size_t i = 1; i < gaps; ++i) poses.push_back(line.at(static_cast<double>(i) * spacing));
   poses.push_back(line.at(line.length()));
   return poses;
 }
@@ -128,10 +136,15 @@ std::vector<MapPose> poses_along(const MapPolyline& line, double spacing) {
 }
 
 std::vector<Pose> poses_along(const JoinedPoses& drive, double spacing) {
-  assert(spacing > 0 && !drive.poses().empty());
+  assert(!drive.poses().empty());
   std::vector<Pose> poses;
   if (drive.segment_count() > 0) poses.push_back(drive.poses().front());
-  double next = spacing;  // from the start of the segment
+  double whole = 0;
+  for (std::size_t i = 0; i < drive.segment_count(); ++i) {
+    whole += std::abs(drive.segment(i).length);
+  }
+  // From the start of the segment.
+  double next = gaps_of(whole, spacing) > 1 ? spacing : std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < drive.segment_count(); ++i) {
     const Segment segment = drive.segment(i);
     const double length = std::abs(segment.length);

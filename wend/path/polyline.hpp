@@ -91,13 +91,17 @@ using MapPolyline = BasicPolyline<MapPose>;
 extern template class WEND_API BasicPolyline<Pose>;
 extern template class WEND_API BasicPolyline<MapPose>;
 
-/// The polyline of a path (not empty); arcs within `tolerance` cells.
+/// The polyline of a path (not empty, without a fault: path_fault.hpp); arcs within `tolerance` cells.
 WEND_API Polyline polyline_of(const Path& path, bool closed = false, double tolerance = 0.01);
 
 /// The same of arcs (at least one), each beginning where the one before it ends.
 WEND_API Polyline polyline_of(std::span<const Arc> arcs, double tolerance = 0.01);
 
-/// Poses on a polyline, `spacing` (> 0) apart along it, from its beginning on; the last is its end.
+/// No more poses than these are made along a line.
+inline constexpr std::size_t kMostPosesAlong = 1'000'000;
+
+/// Poses on a polyline, `spacing` (> 0) apart along it, from its beginning on; the last is its end. Only the
+/// beginning and the end for a spacing that is NaN, not above 0, or makes more than kMostPosesAlong poses.
 WEND_API std::vector<Pose> poses_along(const Polyline& line, double spacing);
 /// The same in metres.
 WEND_API std::vector<MapPose> poses_along(const MapPolyline& line, double spacing);

@@ -1,13 +1,14 @@
 #include "wend/path/refinement.hpp"
 
+#include "wend/path/path_fault.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/path/smoothing.hpp"
 
 namespace wend {
 namespace {
 
-Path simplified_by(const Simplification& simplify, const Path& path, const FreeSpace& space,
-                   Adjacency adjacency) {
+Expected<Path, Error> simplified_by(const Simplification& simplify, const Path& path,
+                                    const FreeSpace& space, Adjacency adjacency) {
   switch (simplify.by) {
     case SimplifyBy::collinear:
       return without_collinear(path);
@@ -40,18 +41,19 @@ SmootherChoice smoother_for(const Path& path, const SmootherChoice& choice) {
 Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
                                  const Refinement& refinement) {
   const Adjacency adjacency = refinement.adjacency;
+  if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
   Refined refined{path};
   if (refinement.simplify) {
-    if (path.driven()) {
-      return failure(Status::unsupported_query,
-                     "a path of poses cannot be simplified: its arcs need their end points");
-    }
-    refined.path = simplified_by(*refinement.simplify, path, space, adjacency);
+    auto simplified = simplified_by(*refinement.simplify, path, space, adjacency);
+    if (!simplified) return Unexpected<Error>(std::move(simplified).error());
+    refined.path = *std::move(simplified);
   }
   if (refinement.smoother) {
     // Long lines of cells have too few points to bend.
     if (!refined.path.cells().empty() && !refined.path.of_steps()) {
-      refined.path = resampled(refined.path, 1, space, adjacency);
+      auto dense = resampled(refined.path, 1, space, adjacency);
+      if (!dense) return Unexpected<Error>(std::move(dense).error());
+      refined.path = *std::move(dense);
     }
     auto smoothed =
         smoothed_by(smoother_for(path, *refinement.smoother), refined.path, space, adjacency);
@@ -60,14 +62,9 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
     refined.smoothing = *std::move(smoothed);
   }
   if (refinement.spacing) {
-    const double points = refined.path.length() / *refinement.spacing;
-    if (points > static_cast<double>(kMostResampled)) {
-      return failure(Status::invalid_option,
-                     "resampling would make " + std::to_string(static_cast<std::uint64_t>(points)) +
-                         " points, and " + std::to_string(kMostResampled) +
-                         " is the limit: choose a larger spacing");
-    }
-    refined.path = resampled(refined.path, *refinement.spacing, space, adjacency);
+    auto even = resampled(refined.path, *refinement.spacing, space, adjacency);
+    if (!even) return Unexpected<Error>(std::move(even).error());
+    refined.path = *std::move(even);
   }
   return refined;
 }

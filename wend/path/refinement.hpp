@@ -7,13 +7,13 @@
 //                                       .smoother = wend::SmootherChoice{"gradient"}});
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/options.hpp"
 #include "wend/map/connected_components.hpp"
+#include "wend/path/simplification.hpp"
 #include "wend/path/smoother.hpp"
 
 namespace wend {
@@ -59,11 +59,8 @@ struct Refined {
   std::optional<Smoothed> smoothing{};  // how that went; its path is as it was before resampling
 };
 
-/// No path is resampled to more points than these.
-inline constexpr std::uint64_t kMostResampled = 1'000'000;
-
-/// Errors are the smoother's, unsupported_query for a drive that is to be simplified, and
-/// invalid_option for a spacing of more than kMostResampled points.
+/// Errors are those of simplification, of the smoother and of resampling; unsupported_query for a drive that is to be
+/// simplified, and for a path with a fault (path_fault.hpp), even if nothing is done with it.
 WEND_API Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
                                           const Refinement& refinement);
 

@@ -39,11 +39,11 @@ TEST(Refinement, SimplifiesThenSmoothsThenResamples) {
                             .smoother = SmootherChoice{"gradient", {{"beta", "0.4"}}},
                             .spacing = 0.25});
   ASSERT_TRUE(all);
-  const Path simple = without_collinear(kBend);
+  const Path simple = *without_collinear(kBend);
   const auto smooth = smooth_by_gradient(simple, space, {.beta = 0.4});
   ASSERT_TRUE(all->smoothing);
   EXPECT_EQ(all->smoothing->path, smooth->path);
-  EXPECT_EQ(all->path, resampled(smooth->path, 0.25, space));
+  EXPECT_EQ(all->path, *resampled(smooth->path, 0.25, space));
 }
 
 TEST(Refinement, DividesLongLinesBetweenCellsBeforeItSmooths) {
@@ -51,7 +51,7 @@ TEST(Refinement, DividesLongLinesBetweenCellsBeforeItSmooths) {
   const Path lines({{0, 4}, {0, 0}, {4, 0}});
   const auto smooth = refined(lines, space, {.smoother = SmootherChoice{"gradient", {}}});
   ASSERT_TRUE(smooth);
-  const auto divided = smooth_by_gradient(resampled(lines, 1, space), space, {});
+  const auto divided = smooth_by_gradient(*resampled(lines, 1, space), space, {});
   EXPECT_EQ(smooth->path, divided->path);
   EXPECT_GT(smooth->path.size(), 6U);
 }
@@ -59,9 +59,9 @@ TEST(Refinement, DividesLongLinesBetweenCellsBeforeItSmooths) {
 TEST(Refinement, SimplifiesByWhatIsAsked) {
   const FreeSpace space = room();
   EXPECT_EQ(refined(kBend, space, {.simplify = Simplification{SimplifyBy::tolerance, 0.8}})->path,
-            simplified(kBend, 0.8, space));
+            *simplified(kBend, 0.8, space));
   EXPECT_EQ(refined(kBend, space, {.simplify = Simplification{SimplifyBy::sight}})->path,
-            string_pulled(kBend, space));
+            *string_pulled(kBend, space));
 }
 
 TEST(Refinement, SqueezesWhereThePathMay) {
@@ -113,7 +113,7 @@ RC_GTEST_PROP(Refinement, OfAPolygonsPathStaysFree, ()) {
   const auto result = refined(path, space, random_refinement(random));
   if (!result) RC_FAIL(result.error().message + test::text_of(path));
   RC_ASSERT(!first_collision(result->path, space));
-  RC_ASSERT(!first_collision(rounded_corners(result->path, space, 0.3), space));
+  RC_ASSERT(!first_collision(*rounded_corners(result->path, space, 0.3), space));
   const std::vector<Point> points = result->path.points();
   RC_ASSERT(points.front() == path.points().front());
   RC_ASSERT(points.back() == path.points().back());
@@ -152,9 +152,9 @@ TEST(Refinement, SmoothsAPolygonsPathWhereItFitsAtSomeHeadingsOnly) {
 TEST(Refinement, SimplifiesAPolygonsPathWhereItFitsAtSomeHeadingsOnly) {
   const NarrowCorridor corridor;
   const Path straight = Path::along({{2, 2}, {9, 2}});
-  EXPECT_EQ(string_pulled(corridor.path, corridor.space), straight);
-  EXPECT_EQ(simplified(corridor.path, 0.2, corridor.space), straight);
-  EXPECT_EQ(resampled(straight, 1, corridor.space).size(), 8U);
+  EXPECT_EQ(*string_pulled(corridor.path, corridor.space), straight);
+  EXPECT_EQ(*simplified(corridor.path, 0.2, corridor.space), straight);
+  EXPECT_EQ(resampled(straight, 1, corridor.space)->size(), 8U);
 }
 
 /// The headings of the pieces of a line differ by rounding, which is not a turn.
@@ -167,7 +167,7 @@ TEST(Refinement, DividesALineOnWhichAPolygonTouchesWalls) {
   const double little = 1e-12;
   const Path line = Path::along({{1.5, 2}, {3.1, 2 + little}, {8.3, 2}});
   EXPECT_FALSE(first_collision(line, space));
-  EXPECT_FALSE(first_collision(resampled(line, 0.7, space), space));
+  EXPECT_FALSE(first_collision(*resampled(line, 0.7, space), space));
 }
 
 TEST(Refinement, TellsWhatItCannotDo) {
@@ -181,6 +181,31 @@ TEST(Refinement, TellsWhatItCannotDo) {
   EXPECT_EQ(refined(drive, space, {.smoother = SmootherChoice{"curvature"}}).error().status,
             Status::unsupported_query);
   EXPECT_EQ(refined(drive, space, {.spacing = 0.5})->path.size(), 3U);
+}
+
+/// "Now" comes after some questions. What is smoothed by then is free, and lies between the path and the result.
+TEST(Smoothers, StopWhenTheyAreToldAndStayFree) {
+  const FreeSpace space = test::open_space(60, 60);
+  std::vector<Cell> bends;
+  for (int i = 0; i < 50; ++i) bends.push_back({5 + i, i % 10 < 5 ? 20 : 30});
+  const Path path = *resampled(Path(bends), 1, space);
+  for (const char* name : {"gradient", "curvature"}) {
+    const auto smoother = make_smoother(name);
+    for (const int most : {0, 1, 3}) {
+      int asked = 0;
+      const auto smoothed = (*smoother)(path, space, [&] { return asked++ >= most; });
+      ASSERT_TRUE(smoothed) << name;
+      EXPECT_TRUE(smoothed->stopped) << name;
+      EXPECT_FALSE(smoothed->converged) << name;
+      EXPECT_LE(smoothed->sweeps, static_cast<std::uint64_t>(most)) << name;
+      EXPECT_EQ(asked, most + 1) << name << ": it is not asked again";
+      EXPECT_FALSE(first_collision(smoothed->path, space)) << name;
+    }
+    const auto whole = (*smoother)(path, space, [] { return false; });
+    ASSERT_TRUE(whole) << name;
+    EXPECT_FALSE(whole->stopped) << name;
+    EXPECT_EQ(whole->path, (*smoother)(path, space)->path) << name;
+  }
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "wend/path/simplification.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -10,7 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "wend/base/parse.hpp"
 #include "wend/geometry/line.hpp"
+#include "wend/path/length_fault.hpp"
+#include "wend/path/path_fault.hpp"
 #include "wend/path/polyline.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/point_sweep.hpp"
@@ -170,16 +172,34 @@ std::vector<Point> shortest_through(const std::vector<std::size_t>& candidates,
   return way;
 }
 
-/// In how many pieces, all as long, a length is cut so that they are nearest to `spacing`.
+/// In how many pieces, all as long, a length is cut so that they are nearest to `spacing`. No path has more than
+/// kMostResampled.
 int pieces_of(double length, double spacing) {
-  constexpr double kMost = 1 << 30;
+  constexpr auto kMost = static_cast<double>(kMostResampled);
   return static_cast<int>(std::clamp(std::round(length / spacing), 1.0, kMost));
 }
 
-/// Of a path that is not empty and not made of poses, which lines would not join.
-std::vector<Point> points_of_lines(const Path& path) {
-  assert(!path.empty() && !path.driven());
-  return path.points();
+/// Lines would not join poses.
+std::optional<Error> fault_of_lines(const Path& path, std::optional<Error> fault) {
+  if (fault || !path.driven()) return fault;
+  return Error{Status::unsupported_query,
+               "a path of poses cannot be simplified: its arcs need their end points",
+               {}};
+}
+
+std::optional<Error> fault_of_spacing(double length, double spacing) {
+  if (!(spacing > 0 && std::isfinite(spacing))) {
+    return Error{
+        Status::invalid_option,
+        "spacing is " + format_number(spacing) + ": a finite number of cells above 0 expected",
+        "spacing"};
+  }
+  const double points = length / spacing;
+  if (points <= static_cast<double>(kMostResampled)) return std::nullopt;
+  return Error{Status::invalid_option,
+               "resampling would make " + format_number(std::floor(points)) + " points, and " +
+                   std::to_string(kMostResampled) + " is the limit: choose a larger spacing",
+               "spacing"};
 }
 
 Path resampled_drive(const JoinedPoses& drive, double spacing) {
@@ -219,8 +239,10 @@ Path resampled_lines(const Polyline& line, double spacing, const Sight& sight) {
 
 }  // namespace
 
-Path without_collinear(const Path& path) {
-  const Polyline line(points_of_lines(path));  // without points on top of each other
+Expected<Path, Error> without_collinear(const Path& path) {
+  if (auto fault = fault_of_lines(path, fault_of(path)))
+    return Unexpected<Error>(*std::move(fault));
+  const Polyline line(path.points());  // without points on top of each other
   const auto points = line.points();
   std::vector<Point> kept{points.front()};
   std::size_t begin = 0;  // of the straight line that the path is on
@@ -235,10 +257,16 @@ Path without_collinear(const Path& path) {
   return Path::along(std::move(kept));
 }
 
-Path simplified(const Path& path, double tolerance, const FreeSpace& space, Adjacency adjacency) {
-  assert(tolerance >= 0);
+Expected<Path, Error> simplified(const Path& path, double tolerance, const FreeSpace& space,
+                                 Adjacency adjacency) {
+  if (auto fault = fault_of_lines(path, fault_of(path, space))) {
+    return Unexpected<Error>(*std::move(fault));
+  }
+  if (auto fault = fault_of_length("tolerance", tolerance)) {
+    return Unexpected<Error>(*std::move(fault));
+  }
   const Sight sight(space, adjacency);
-  const std::vector<Point> points = points_of_lines(path);
+  const std::vector<Point> points = path.points();
   Way way{{points.front()}};
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
   while (!open.empty()) {
@@ -261,9 +289,12 @@ Path simplified(const Path& path, double tolerance, const FreeSpace& space, Adja
   return Path::along(std::move(way.points));
 }
 
-Path string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency) {
+Expected<Path, Error> string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency) {
+  if (auto fault = fault_of_lines(path, fault_of(path, space))) {
+    return Unexpected<Error>(*std::move(fault));
+  }
   const Sight sight(space, adjacency);
-  const std::vector<Point> points = points_of_lines(path);
+  const std::vector<Point> points = path.points();
   // Each way alone leaves corners behind itself; the shortest of both mixed has the fewest.
   const std::vector<std::size_t> forwards = pulled_forwards(points, sight);
   const std::vector<std::size_t> backwards = pulled_backwards(points, sight);
@@ -273,8 +304,12 @@ Path string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency
   return Path::along(sight.has_shape() ? pulled_by_shape(pulled, sight) : pulled);
 }
 
-Path resampled(const Path& path, double spacing, const FreeSpace& space, Adjacency adjacency) {
-  assert(!path.empty() && spacing > 0);
+Expected<Path, Error> resampled(const Path& path, double spacing, const FreeSpace& space,
+                                Adjacency adjacency) {
+  if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
+  if (auto fault = fault_of_spacing(path.length(), spacing)) {
+    return Unexpected<Error>(*std::move(fault));
+  }
   const Sight sight(space, adjacency);
   return path.visit(
       [&](const JoinedPoses& drive) { return resampled_drive(drive, spacing); },

@@ -100,7 +100,7 @@ void expect_same_ends(const Path& path, const Path& other) {
 
 TEST(WithoutCollinear, IsTheSameWay) {
   for_walks([](FreeWalk& walk) {
-    const Path fewer = without_collinear(walk.path);
+    const Path fewer = *without_collinear(walk.path);
     expect_same_ends(walk.path, fewer);
     ASSERT_NEAR(fewer.length(), walk.path.length(), 1e-7);
     const Polyline line = polyline_of(fewer);
@@ -111,17 +111,17 @@ TEST(WithoutCollinear, IsTheSameWay) {
 }
 
 TEST(WithoutCollinear, KeepsBendsAndWhereItTurnsBack) {
-  EXPECT_EQ(without_collinear(Path({{0, 0}, {1, 0}, {2, 0}, {3, 1}, {4, 2}, {3, 1}})),
+  EXPECT_EQ(*without_collinear(Path({{0, 0}, {1, 0}, {2, 0}, {3, 1}, {4, 2}, {3, 1}})),
             Path::along({{0.5, 0.5}, {2.5, 0.5}, {4.5, 2.5}, {3.5, 1.5}}));
-  EXPECT_EQ(without_collinear(Path({{3, 3}})), Path::along({{3.5, 3.5}}));
-  EXPECT_EQ(without_collinear(Path({{3, 3}, {3, 3}})), Path::along({{3.5, 3.5}}));
+  EXPECT_EQ(*without_collinear(Path({{3, 3}})), Path::along({{3.5, 3.5}}));
+  EXPECT_EQ(*without_collinear(Path({{3, 3}, {3, 3}})), Path::along({{3.5, 3.5}}));
 }
 
 TEST(WithoutCollinear, KeepsAWayThatBendsEverSoLittle) {
   std::vector<Point> points;
   for (int i = 0; i <= 1000; ++i) points.push_back({i / 100.0, 1e-8 * (i / 100.0) * (i / 100.0)});
   const Path bend = Path::along(points);
-  const Path fewer = without_collinear(bend);
+  const Path fewer = *without_collinear(bend);
   EXPECT_LT(fewer.size(), bend.size() / 2);
   const Polyline line = polyline_of(fewer);
   for (const Point point : points) {
@@ -132,7 +132,7 @@ TEST(WithoutCollinear, KeepsAWayThatBendsEverSoLittle) {
 TEST(Simplified, KeepsToItsToleranceAndStaysFree) {
   for_walks([](FreeWalk& walk) {
     const double tolerance = 0.6 * walk.random.between(0, 4);
-    const Path fewer = simplified(walk.path, tolerance, walk.space, walk.adjacency);
+    const Path fewer = *simplified(walk.path, tolerance, walk.space, walk.adjacency);
     expect_same_ends(walk.path, fewer);
     expect_free(walk, fewer);
     ASSERT_LE(fewer.size(), walk.path.size());
@@ -147,18 +147,18 @@ TEST(Simplified, KeepsToItsToleranceAndStaysFree) {
 TEST(Simplified, OfAnOpenFieldIsALine) {
   const FreeSpace space = test::open_space(20, 20);
   const Path zigzag({{0, 0}, {1, 1}, {2, 0}, {3, 1}, {4, 0}});
-  EXPECT_EQ(simplified(zigzag, 1, space), Path::along({{0.5, 0.5}, {4.5, 0.5}}));
-  EXPECT_EQ(simplified(zigzag, 0.99, space), Path::along({{0.5, 0.5}, {1.5, 1.5}, {4.5, 0.5}}))
+  EXPECT_EQ(*simplified(zigzag, 1, space), Path::along({{0.5, 0.5}, {4.5, 0.5}}));
+  EXPECT_EQ(*simplified(zigzag, 0.99, space), Path::along({{0.5, 0.5}, {1.5, 1.5}, {4.5, 0.5}}))
       << "split where it is farthest off";
 }
 
 TEST(StringPulled, StaysFreeAndIsNeverLonger) {
   for_walks([](FreeWalk& walk) {
-    const Path pulled = string_pulled(walk.path, walk.space, walk.adjacency);
+    const Path pulled = *string_pulled(walk.path, walk.space, walk.adjacency);
     expect_same_ends(walk.path, pulled);
     expect_free(walk, pulled);
     ASSERT_LE(pulled.length(), walk.path.length() + 1e-9);
-    ASSERT_LE(pulled.length(), without_collinear(walk.path).length() + 1e-9);
+    ASSERT_LE(pulled.length(), without_collinear(walk.path)->length() + 1e-9);
   });
 }
 
@@ -171,13 +171,13 @@ TEST(StringPulled, GoesAroundACornerByOneBend) {
 ......
 )");
   const Path around({{0, 0}, {1, 0}, {2, 0}, {3, 1}, {3, 2}, {2, 3}, {1, 4}, {0, 4}});
-  EXPECT_EQ(string_pulled(around, space), Path::along({{0.5, 0.5}, {3.5, 2.5}, {0.5, 4.5}}));
+  EXPECT_EQ(*string_pulled(around, space), Path::along({{0.5, 0.5}, {3.5, 2.5}, {0.5, 4.5}}));
 }
 
 TEST(Resampled, IsEvenWhereThereIsRoomAndStaysFree) {
   for_walks([](FreeWalk& walk) {
     const double spacing = 0.2 + 0.5 * walk.random.between(0, 7);
-    const Path even = resampled(walk.path, spacing, walk.space, walk.adjacency);
+    const Path even = *resampled(walk.path, spacing, walk.space, walk.adjacency);
     expect_same_ends(walk.path, even);
     expect_free(walk, even);
     const Polyline line = polyline_of(walk.path);
@@ -204,16 +204,16 @@ TEST(Shortcuts, DoNotSqueezeThroughAGapThatThePathTouches) {
 )");
   const Path path = Path::along({{6.5, 3.9}, {4, 4}, {4.5, 1}, {2.5, 1.5}, {2.5, 4.5}});
   ASSERT_FALSE(first_collision(path, space));
-  EXPECT_FALSE(first_collision(string_pulled(path, space), space));
-  EXPECT_FALSE(first_collision(simplified(path, 9, space), space));
-  EXPECT_EQ(string_pulled(path, space, Adjacency::edges_and_corners),
+  EXPECT_FALSE(first_collision(*string_pulled(path, space), space));
+  EXPECT_FALSE(first_collision(*simplified(path, 9, space), space));
+  EXPECT_EQ(*string_pulled(path, space, Adjacency::edges_and_corners),
             Path::along({{6.5, 3.9}, {4, 4}, {2.5, 4.5}}))
       << "who may squeeze does";
 }
 
 TEST(Resampled, CutsALineIntoEqualPieces) {
   const FreeSpace space = test::open_space(20, 20);
-  const Path even = resampled(Path({{0, 0}, {10, 0}}), 3, space);
+  const Path even = *resampled(Path({{0, 0}, {10, 0}}), 3, space);
   ASSERT_EQ(even.size(), 4U);
   for (const Arc& arc : even.arcs()) EXPECT_DOUBLE_EQ(arc.length, 10.0 / 3);
 }
@@ -222,9 +222,9 @@ TEST(Resampled, DividesTheArcsOfADrive) {
   const FreeSpace space = test::open_space(20, 20);
   const Path drive = Path::through({{5, 5, 0}, {8, 8, kPi / 2}, {8, 6, kPi / 2}});
   const Path aside = Path::through({{0, 0, 0}, {0, 4, 0}});
-  const Path steps = resampled(aside, 1, space);
+  const Path steps = *resampled(aside, 1, space);
   for (const Pose& pose : steps.driven_poses()) EXPECT_EQ(pose.heading, 0);
-  const Path even = resampled(drive, 1, space);
+  const Path even = *resampled(drive, 1, space);
   EXPECT_EQ(even.size(), 1U + 5 + 2);
   EXPECT_NEAR(even.length(), drive.length(), 1e-9);
   for (const Arc& arc : even.arcs()) {

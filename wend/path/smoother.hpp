@@ -16,6 +16,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
@@ -34,16 +35,38 @@ struct Smoothed {
   bool converged = false;    // else the limit of sweeps ended it
   double held = 0;           // the share of the inner points, 0 to 1, that safety held back
   bool returned = false;     // the result would have been longer than the path: it is the path
+  bool stopped = false;      // StopSmoothing ended it: the path is as far as it came
 
   // Of the smoother that bounds curvature.
   bool within_bound = true;  // every bend is as wide as asked
 };
 
-/// Errors: invalid_option, or unsupported_query for a drive or a path that is not free.
+/// Errors: invalid_option, or unsupported_query for a drive, a path with a fault (path_fault.hpp) or one that is not
+/// free.
 using SmoothingResult = Expected<Smoothed, Error>;
 
-/// A smoother with its options: smooths a path, which must not be empty. Thread-safe.
-using Smoother = std::function<SmoothingResult(const Path&, const FreeSpace&)>;
+/// Asked while a path is smoothed, before every sweep and every thousand points: should that end now? Nothing: never.
+using StopSmoothing = std::function<bool()>;
+
+/// A smoother with its options. Thread-safe.
+class Smoother {
+ public:
+  /// What smooths.
+  using Function =
+      std::function<SmoothingResult(const Path&, const FreeSpace&, const StopSmoothing&)>;
+
+  /// Of a function that is set.
+  explicit Smoother(Function smooth) : smooth_(std::move(smooth)) {}
+
+  /// Smooths a path. If `stop` says so, the result is what it is then: free, and not yet as smooth as it could be.
+  SmoothingResult operator()(const Path& path, const FreeSpace& space,
+                             const StopSmoothing& stop = {}) const {
+    return smooth_(path, space, stop);
+  }
+
+ private:
+  Function smooth_;
+};
 
 /// A smoother, or why it could not be made: invalid_option.
 using SmootherResult = Expected<Smoother, Error>;

@@ -7,6 +7,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/path/path_collision.hpp"
+#include "wend/path/path_fault.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/swept_clearance.hpp"
 
@@ -44,6 +45,7 @@ Expected<MovablePath, Error> MovablePath::from(const Path& path, const FreeSpace
         Status::unsupported_query,
         "a path of poses is not smoothed: its arcs and turns are ones that the robot can drive");
   }
+  if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
   MovablePath movable(space, path.points(), adjacency);
   if (adjacency && !movable.look_around()) {
     if (const auto collision = first_collision(path, space, *adjacency)) {

@@ -20,6 +20,35 @@
 
 namespace wend {
 
+/// Asks a StopSmoothing now and then, and remembers that it said yes.
+class StopCheck {
+ public:
+  explicit StopCheck(const StopSmoothing& stop) : stop_(stop) {}
+
+  /// Before a sweep.
+  bool before_sweep() {
+    points_ = 0;
+    return ask();
+  }
+
+  /// Before each point of a sweep.
+  bool before_point() { return ++points_ % kPointsBetween == 0 ? ask() : stopped_; }
+
+  bool stopped() const { return stopped_; }
+
+ private:
+  static constexpr std::size_t kPointsBetween = 1000;
+
+  bool ask() {
+    stopped_ = stopped_ || (stop_ && stop_());
+    return stopped_;
+  }
+
+  const StopSmoothing& stop_;
+  std::size_t points_ = 0;
+  bool stopped_ = false;
+};
+
 /// Where a path that is to be smoothed is not free, in words.
 std::string text_of(const PathCollision& collision);
 
@@ -37,7 +66,7 @@ std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_p
 /// it is swept along the lines that a move changes, and turned where they begin and end.
 class MovablePath {
  public:
-  /// Of a path (not empty) that first_collision() finds free. A path that is not, and a drive, are
+  /// Of a path that first_collision() finds free. A path that is not, one with a fault, and a drive, are
   /// unsupported_query. The options say `squeeze`, and `unsafe` for an unbound path. The space
   /// outlives it.
   template <class Options>
@@ -128,9 +157,10 @@ SmootherInfo smoother_with(std::string name, std::string summary, std::string ci
           [smooth](const OptionValues& values) -> SmootherResult {
             const auto options = parse_options<Options>(values);
             if (!options) return Unexpected<Error>(options.error());
-            return [smooth, options = *options](const Path& path, const FreeSpace& space) {
-              return smooth(path, space, options);
-            };
+            return Smoother([smooth, options = *options](const Path& path, const FreeSpace& space,
+                                                         const StopSmoothing& stop) {
+              return smooth(path, space, options, stop);
+            });
           },
           false};
 }

@@ -1,7 +1,6 @@
 #include "wend/path/trajectory.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "wend/base/options.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/path/path_fault.hpp"
 #include "wend/path/small_jump.hpp"
 #include "wend/path/speed_passes.hpp"
 
@@ -125,7 +125,7 @@ double fastest_on(double curvature, const TrajectoryLimits& limits) {
 Expected<Trajectory, Error> Trajectory::along(const Path& path, const Frame& frame,
                                               const TrajectoryLimits& limits) {
   if (auto fault = fault_of(limits)) return Unexpected<Error>(*std::move(fault));
-  if (path.empty()) return failure(Status::unsupported_query, "the path is empty");
+  if (auto fault = wend::fault_of(path)) return Unexpected<Error>(*std::move(fault));
   Trajectory trajectory;
   trajectory.limits_ = limits;
   trajectory.segments_ = driven_segments(path, frame);
@@ -138,8 +138,9 @@ Expected<Trajectory, Error> Trajectory::along(const Path& path, const Frame& fra
   }
   const MapPose& end = trajectory.end_;
   if (!std::isfinite(trajectory.duration_ + end.x + end.y + end.heading)) {
-    return failure(Status::unsupported_query,
-                   "the path has numbers that are not finite, or it is too long to be timed");
+    return failure(
+        Status::unsupported_query,
+        "the path is too long to be timed, or the frame has numbers that are not finite");
   }
   return trajectory;
 }
@@ -169,6 +170,10 @@ Expected<Trajectory, Error> Trajectory::through(std::span<const TimedPose> poses
         segment_between({from.x, from.y, from.heading}, {to.x, to.y, to.heading});
     trajectory.drive_for(poses[i].time - poses[i - 1].time,
                          {from, segment.length, segment.turn, segment.course});
+  }
+  if (!std::isfinite(trajectory.limits_.speed + trajectory.limits_.turn_rate)) {
+    return failure(Status::unsupported_query,
+                   "the poses of the trajectory are too far apart for their times");
   }
   return trajectory;
 }
@@ -221,7 +226,7 @@ double Trajectory::smallest_turning_radius() const {
 }
 
 TrajectoryState Trajectory::at(double time) const {
-  if (pieces_.empty() || time <= 0) return {std::max(time, 0.0), start_, 0, 0};
+  if (pieces_.empty() || !(time > 0)) return {time > 0 ? time : 0, start_, 0, 0};
   if (time >= duration_) return {time, end_, 0, 0};
   const auto next = std::ranges::upper_bound(pieces_, time, {}, &TrajectoryPiece::time);
   const TrajectoryPiece& piece = *std::prev(next);
@@ -244,9 +249,10 @@ TrajectoryState Trajectory::state_on(const TrajectoryPiece& piece, double second
 }
 
 std::vector<TrajectoryState> Trajectory::samples(double period) const {
-  assert(period > 0);
   constexpr double kRounding = 1e-6;  // of a period: no sample that near to the end
-  const auto periods = static_cast<std::size_t>(std::ceil(duration_ / period - kRounding));
+  const double count = std::ceil(duration_ / period - kRounding);
+  if (!(period > 0 && count < static_cast<double>(kMostSamples))) return {};
+  const auto periods = static_cast<std::size_t>(count);
   std::vector<TrajectoryState> states;
   states.reserve(periods + 1);
   const double rate = 1 / period;  // dividing by 20 gives 0.15, where multiplying by 0.05 does not

@@ -92,9 +92,12 @@ struct TrajectoryPiece {
 
 class WEND_API Trajectory {
  public:
+  /// The most states that samples() returns.
+  static constexpr std::size_t kMostSamples = 10'000'000;
+
   /// The fastest trajectory along a path, which is in grid coordinates; `frame` is its map's. The path
   /// is not checked for collisions. Errors: invalid_option for a limit that is not finite or not
-  /// greater than 0, unsupported_query for a path that is empty, not finite or too long to be timed.
+  /// greater than 0, unsupported_query for a path with a fault (path_fault.hpp) or too long to be timed.
   /// O(segments).
   static Expected<Trajectory, Error> along(const Path& path, const Frame& frame,
                                            const TrajectoryLimits& limits = {});
@@ -102,8 +105,8 @@ class WEND_API Trajectory {
   /// A trajectory from another source, through poses with time stamps, from the first stamp on. Between
   /// two poses the robot drives their shortest segment at a constant speed, or waits if they are equal.
   /// limits() are then the highest speed and turn rate that it has, and no limits on accelerations.
-  /// Errors: unsupported_query without poses, for numbers that are not finite, and for stamps that do not
-  /// increase. O(poses).
+  /// Errors: unsupported_query without poses, for numbers that are not finite, for stamps that do not increase, and
+  /// for poses so far apart that its speed would not be finite. O(poses).
   static Expected<Trajectory, Error> through(std::span<const TimedPose> poses);
 
   /// The time from the start to the end, s.
@@ -116,11 +119,12 @@ class WEND_API Trajectory {
   /// steers needs a trajectory whose radius is at least its own.
   double smallest_turning_radius() const;
 
-  /// The state at a time; before the start and after the end the robot stands there. O(log pieces).
+  /// The state at a time; before the start and after the end the robot stands there. NaN counts as 0. O(log pieces).
   TrajectoryState at(double time) const;
 
   /// The states at 0, period, 2 period, ... (period > 0), and at the end; the one before the end is at least
-  /// a millionth of a period earlier. O(duration / period).
+  /// a millionth of a period earlier. None for a period that is NaN, not above 0, or so short that they would be more
+  /// than kMostSamples. O(duration / period).
   std::vector<TrajectoryState> samples(double period) const;
 
   /// What it drives, in metres: the segments of the path, with turns in place at its corners. None of

@@ -441,5 +441,14 @@ TEST(TrajectoryThrough, RefusesWhatIsNoTrajectory) {
   EXPECT_EQ(fault({{5, {1, 2, 3}}}), "") << "a robot that stands";
 }
 
+TEST(Trajectory, HasNoSamplesForAPeriodThatIsNone) {
+  const Trajectory trajectory = timed_along(Path::along({{0, 0}, {1, 0}}), {});
+  for (const double period : {std::numeric_limits<double>::quiet_NaN(), 0.0, -1.0, 5e-324}) {
+    EXPECT_TRUE(trajectory.samples(period).empty()) << period;
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(trajectory.at(nan).pose, trajectory.at(0).pose);
+}
+
 }  // namespace
 }  // namespace wend

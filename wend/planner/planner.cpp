@@ -1,6 +1,7 @@
 #include "wend/planner/planner.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -79,6 +80,7 @@ std::string Planner::reason(const Query& query, Status status) const {
     if (!std::ranges::all_of(query.goals, has_tolerances)) {
       return "the tolerances of a goal must be at least 0";
     }
+    if (std::isnan(query.limits.seconds)) return "the limit of seconds is NaN";
   }
   std::string reason = do_reason(query, status);
   if (reason.empty()) reason = describe(status);
@@ -98,7 +100,8 @@ void Planner::clear(Plan& out) {
 
 std::optional<Status> Planner::check(const Query& query, Plan& out) {
   clear(out);
-  if (query.goals.empty() || !std::ranges::all_of(query.goals, has_tolerances)) {
+  if (query.goals.empty() || !std::ranges::all_of(query.goals, has_tolerances) ||
+      std::isnan(query.limits.seconds)) {
     return Status::unsupported_query;
   }
   return do_check(query);

@@ -28,7 +28,8 @@ struct Row {
 std::vector<Row> rows_of(const LengthUnit& unit, double rounding) {
   const auto length = [&unit](double PathMetrics::* member) {
     return [&unit, member](const MeasuredPath& path) {
-      return number(path.metrics.*member * unit.per_cell, decimals_of(unit));
+      return path.metrics ? number((*path.metrics).*member * unit.per_cell, decimals_of(unit))
+                          : "-";
     };
   };
   const auto titled = [&unit](std::string_view what) {
@@ -37,14 +38,17 @@ std::vector<Row> rows_of(const LengthUnit& unit, double rounding) {
   return {{"points", [](const MeasuredPath& path) { return std::to_string(path.points); }},
           {titled("length"), length(&PathMetrics::length)},
           {"turning, degrees",
-           [](const MeasuredPath& path) { return number(degrees_from(path.metrics.turning), 0); }},
+           [](const MeasuredPath& path) {
+             return path.metrics ? number(degrees_from(path.metrics->turning), 0) : "-";
+           }},
           {titled("smallest turning radius"), length(&PathMetrics::smallest_turning_radius)},
           {fmt::format("  corners rounded by {:.3g} {}", rounding * unit.per_cell, unit.name),
            length(&PathMetrics::rounded_turning_radius)},
           {titled("smallest clearance"), length(&PathMetrics::smallest_clearance)},
           {titled("mean clearance"), length(&PathMetrics::mean_clearance)},
-          {"reversals",
-           [](const MeasuredPath& path) { return std::to_string(path.metrics.reversals); }}};
+          {"reversals", [](const MeasuredPath& path) {
+             return path.metrics ? std::to_string(path.metrics->reversals) : "-";
+           }}};
 }
 
 std::string line(std::string_view name, const std::string& what) {
@@ -76,18 +80,22 @@ MeasuredPath measured(std::string title, const Path& path, const FreeSpace& spac
                       double corner_rounding) {
   const bool on_map =
       std::ranges::all_of(path.cells(), [&space](Cell cell) { return space.contains(cell); });
+  MeasuredPath measured{std::move(title), path.size(), {}};
   // Waypoints may lie outside, cells may not.
-  return {std::move(title), path.size(),
-          measure(on_map ? path : Path::along(path.points()), space, corner_rounding)};
+  if (auto metrics = measure(on_map ? path : Path::along(path.points()), space, corner_rounding)) {
+    measured.metrics = *metrics;
+  }
+  return measured;
 }
 
 std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit& unit) {
+  if (!paths.front().metrics) return {};
   std::vector<TextTable::Column> columns{{""}};
   for (const MeasuredPath& path : paths) {
     columns.push_back({paths.size() > 1 ? path.title : "", Align::right});
   }
   TextTable table(std::move(columns));
-  for (const Row& row : rows_of(unit, paths.front().metrics.corner_rounding)) {
+  for (const Row& row : rows_of(unit, paths.front().metrics->corner_rounding)) {
     std::vector<std::string> fields{row.title};
     for (const MeasuredPath& path : paths) fields.push_back(row.value(path));
     table.add(std::move(fields));
@@ -106,7 +114,8 @@ std::string_view to_string(CollisionKind kind) {
 }
 
 Json json_of(const MeasuredPath& path, const Frame& frame) {
-  const PathMetrics& metrics = path.metrics;
+  if (!path.metrics) return {};
+  const PathMetrics& metrics = *path.metrics;
   Json json{{"points", path.points}};
   const auto put_length = [&](const std::string& name, double cells) {
     json[name + "_cells"] = cells;

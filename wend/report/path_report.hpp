@@ -46,23 +46,23 @@ inline LengthUnit metres_of(const Frame& frame) { return {"m", frame.resolution}
 struct MeasuredPath {
   std::string title;  // "smoothed"
   std::size_t points = 0;
-  PathMetrics metrics{};
+  std::optional<PathMetrics> metrics{};  // nothing: it cannot be measured
 };
 
-/// Measures a path that is not empty; it may leave the map. Corners are rounded as in measure().
+/// Measures a path. It may leave the map: one that measure() refuses has no metrics. Corners are rounded as there.
 MeasuredPath measured(std::string title, const Path& path, const FreeSpace& space,
                       double corner_rounding = kCornerRounding);
 
 /// A line for each metric, a column for each path, with the titles above if there are several paths. All
-/// are measured with the same corner rounding.
+/// are measured with the same corner rounding. Empty if the first has no metrics.
 std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit& unit);
 
 /// The name of the kind for programs: "too_close".
 std::string_view to_string(CollisionKind kind);
 
 /// {"schema": 1, "free": false, "collision": {"kind": "too_close", "along_cells", "along_m", "point": [x,y],
-/// "point_m": [x,y], "obstacle": [i,j]}, "metrics": {...}}; null without a collision. One line with
-/// its line end.
+/// "point_m": [x,y], "obstacle": [i,j]}, "metrics": {...}}; null without a collision, and
+/// without metrics. One line with its line end.
 std::string check_json(const MeasuredPath& path, const std::optional<PathCollision>& collision,
                        const Frame& frame);
 

@@ -56,7 +56,7 @@ TEST(MetricsTable, SetsPathsBesideEachOther) {
 }
 
 TEST(Measured, TakesCellsThatAreNotOnTheMap) {
-  EXPECT_EQ(measured("far", Path({{20, 3}, {22, 3}}), open_space()).metrics.length, 2);
+  EXPECT_EQ(measured("far", Path({{20, 3}, {22, 3}}), open_space()).metrics->length, 2);
 }
 
 TEST(CheckJson, TellsWhereAPathCollides) {

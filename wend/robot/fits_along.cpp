@@ -4,6 +4,7 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/robot/disc_sweep.hpp"
+#include "wend/robot/near_map.hpp"
 #include "wend/robot/point_sweep.hpp"
 #include "wend/robot/polygon_sweep.hpp"
 
@@ -11,12 +12,14 @@ namespace wend {
 
 bool disc_fits_along(const FreeSpace& space, const Line& line, Adjacency adjacency) {
   if (space.is_point()) return PointSweep(space, line.from, adjacency).go_to(line.to);
+  if (!near_map(space, line)) return false;
   const DiscSweep sweep(space);
   return sweep.fits_at(line.from) && sweep.fits(line);
 }
 
 bool disc_fits_along(const FreeSpace& space, const Arc& arc, Adjacency adjacency) {
   if (space.is_point()) return PointSweep(space, arc.from.point(), adjacency).go_along(arc);
+  if (!near_map(space, arc)) return false;
   const DiscSweep sweep(space);
   return sweep.fits_at(arc.from.point()) && sweep.fits(arc);
 }
@@ -25,17 +28,19 @@ bool fits_along(const FreeSpace& space, const Line& line, const SweepOptions& op
   if (!space.outline() || line.length() == 0) {
     return disc_fits_along(space, line, options.adjacency);
   }
-  return PolygonSweep(space, options.tolerance).fits(line);
+  return near_map(space, line) && PolygonSweep(space, options.tolerance).fits(line);
 }
 
 bool fits_along(const FreeSpace& space, const Arc& arc, const SweepOptions& options) {
   // If the disc fits, even touching something, so does its polygon. The polygon's sweep alone does not
   // see that within its tolerance.
   if (disc_fits_along(space, arc, options.adjacency)) return true;
-  return space.outline() && PolygonSweep(space, options.tolerance).fits(arc);
+  return space.outline() && near_map(space, arc) &&
+         PolygonSweep(space, options.tolerance).fits(arc);
 }
 
 bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOptions& options) {
+  if (!near_map(space, turn)) return false;
   const Point point = turn.from.point();
   if (disc_fits_along(space, Line{point, point}, options.adjacency)) return true;
   return space.outline() && PolygonSweep(space, options.tolerance).fits(turn);
@@ -60,6 +65,7 @@ bool turns_with_margin(const FreeSpace& space, Point joint, double before, doubl
 }
 
 bool fits_along(const FreeSpace& space, const Segment& segment, const SweepOptions& options) {
+  if (!near_map(space, segment)) return false;
   if (disc_fits_along(space, way_of_base(segment), options.adjacency)) return true;
   return space.outline() && PolygonSweep(space, options.tolerance).fits(segment);
 }

@@ -2,8 +2,9 @@
 
 // Where the robot of a FreeSpace can drive along lines and arcs, and where it can turn in place.
 //
-// Lines and arcs are in grid coordinates and finite; arcs turn by at most 2 pi. They may touch the map's
-// edge or leave the map. If the outside is free, it is not an obstacle.
+// Lines and arcs are in grid coordinates; arcs turn by at most 2 pi. They may touch the map's edge or leave
+// the map. If the outside is free, it is not an obstacle. A robot fits nowhere along a way that contains NaN
+// or infinity or leads far off the map (near_map()).
 //
 // - A point keeps out of the union of the obstacles and, unless `adjacency` is edges_and_corners, does
 //   not pass between two that touch at a corner; point_sweep.hpp has the exact rules. Exact.

@@ -113,7 +113,7 @@ double PlacedPolygon::distance_to(Cell square) const {
   for (std::size_t i = 0; i < size_ && least > 0; ++i) {
     least = std::min(least, distance(edge(i), square));
   }
-  return least;
+  return std::isfinite(least) ? least : 0;
 }
 
 }  // namespace wend

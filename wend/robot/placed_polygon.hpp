@@ -27,7 +27,8 @@ inline constexpr double kOverlapTolerance = 1e-9;  // cells
 
 class WEND_API PlacedPolygon {
  public:
-  /// The polygon, in cells, turned and moved to a pose in grid coordinates.
+  /// The polygon, in cells, turned and moved to a pose in grid coordinates. At a pose that contains NaN or
+  /// infinity it overlaps every square.
   PlacedPolygon(const Polygon& polygon, const Pose& pose);
 
   /// The corners in grid coordinates.

@@ -200,6 +200,7 @@ void PointSweep::arrive(Point to) {
 }
 
 bool PointSweep::go_to(Point to) {
+  if (!near_ || !near_map(*space_, to)) return false;
   const Line line{at_, to};
   if (!clearly_free(*space_, SweptPiece(line))) {
     const CutLine cut(*space_, line);
@@ -214,6 +215,10 @@ bool PointSweep::go_to(Point to) {
 }
 
 bool PointSweep::go_along(const Arc& arc) {
+  return near_ && near_map(*space_, arc) && go_along_pieces(arc);
+}
+
+bool PointSweep::go_along_pieces(const Arc& arc) {
   if (!turns_far(arc)) {
     const SweptPiece piece(arc);
     // A piece that bulges less than that is treated as a line.
@@ -229,7 +234,7 @@ bool PointSweep::go_along(const Arc& arc) {
     if (CutLine(*space_, {middle, middle}).enters_obstacles()) return false;
   }
   const auto halves = halves_of(arc);
-  return go_along(halves[0]) && go_along(halves[1]);
+  return go_along_pieces(halves[0]) && go_along_pieces(halves[1]);
 }
 
 }  // namespace wend

@@ -22,6 +22,7 @@
 #include "wend/geometry/line.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/robot/near_map.hpp"
 
 namespace wend {
 
@@ -29,9 +30,10 @@ inline constexpr double kPointTolerance = 1e-9;  // cells
 
 class PointSweep {
  public:
-  /// Starts at a finite point in grid coordinates. The space must outlive the sweep.
+  /// Starts at a point in grid coordinates. The space must outlive the sweep. From a point that is not
+  /// near_map() no way is free, and none to such a point.
   PointSweep(const FreeSpace& space, Point start, Adjacency adjacency = Adjacency::edges)
-      : space_(&space), adjacency_(adjacency), at_(start) {}
+      : space_(&space), adjacency_(adjacency), at_(start), near_(near_map(space, start)) {}
 
   /// Moves along a line, or along an arc that begins at the current point. False if the way, including
   /// its first point, is not free; the sweep is then over. O(1) if the clearance of a cell shows that
@@ -40,12 +42,14 @@ class PointSweep {
   bool go_along(const Arc& arc);
 
  private:
+  bool go_along_pieces(const Arc& arc);
   bool passes_its_gap(Point before, Point after) const;
   void arrive(Point to);
 
   const FreeSpace* space_;  // never null
   Adjacency adjacency_;
   Point at_;
+  bool near_;                        // does it start near the map?
   std::optional<Point> before_gap_;  // where the point came from, if it is in a gap
 };
 

@@ -10,6 +10,7 @@
 #include "wend/geometry/trigonometry.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/robot/fits_along.hpp"
+#include "wend/robot/near_map.hpp"
 #include "wend/robot/point_sweep.hpp"
 #include "wend/robot/sweep.hpp"
 
@@ -87,14 +88,13 @@ double swept_clearance(const FreeSpace& space, const Line& line, double reach, d
   return least;
 }
 
-}  // namespace
-
-double arc_clearance(const FreeSpace& space, const Arc& arc) {
+/// Of an arc near the map.
+double clearance_of(const FreeSpace& space, const Arc& arc) {
   const double length = std::abs(arc.length);
   constexpr double kLong = 64;  // the box around a long one grows with the square of its length
   if (length > kLong) {
     const auto halves = halves_of(arc);
-    return std::min(arc_clearance(space, halves[0]), arc_clearance(space, halves[1]));
+    return std::min(clearance_of(space, halves[0]), clearance_of(space, halves[1]));
   }
   const int pieces = std::max(static_cast<int>(std::ceil(length)), 1);
   double least = std::numeric_limits<double>::infinity();
@@ -117,6 +117,12 @@ double arc_clearance(const FreeSpace& space, const Arc& arc) {
   return least;
 }
 
+}  // namespace
+
+double arc_clearance(const FreeSpace& space, const Arc& arc) {
+  return near_map(space, arc) ? clearance_of(space, arc) : 0;
+}
+
 std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from, Cell to) {
   assert(std::abs(from.x - to.x) <= 1 && std::abs(from.y - to.y) <= 1);
   const std::uint32_t at_ends = std::min(space.squared_half_cell_clearance(from, kNoObstacle),
@@ -133,6 +139,7 @@ std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from,
 }
 
 double way_clearance(const FreeSpace& space, Cell from, Cell to) {
+  if (!space.contains(from) || !space.contains(to)) return 0;
   if (std::abs(from.x - to.x) <= 1 && std::abs(from.y - to.y) <= 1) {
     return distance_in_cells(squared_half_cell_way_clearance(space, from, to));
   }
@@ -142,6 +149,7 @@ double way_clearance(const FreeSpace& space, Cell from, Cell to) {
 }
 
 std::optional<double> room_along(const FreeSpace& space, const Line& line, Adjacency adjacency) {
+  if (!near_map(space, line)) return std::nullopt;
   const double radius = space.radius_in_cells();
   const double clearance = swept_clearance(space, line, radius + kMostRoom, radius + kMostRoom / 2);
   if (keeps_distance(space, clearance)) return std::max(clearance - radius, 0.0);

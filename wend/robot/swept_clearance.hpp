@@ -4,8 +4,8 @@
 // the nearest closed obstacle square, or to the map's edge if the outside is blocked, exact up to
 // rounding; and how much room there is beside it.
 //
-// Arcs and lines are in grid coordinates and finite; arcs turn by at most 2 pi. They may touch the
-// map's edge or leave the map. If the outside is free, it is not an obstacle.
+// Arcs and lines are in grid coordinates; arcs turn by at most 2 pi. They may touch the map's edge or leave
+// the map. If the outside is free, it is not an obstacle. Ways that are not near_map() have no clearance.
 //
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
 //   const double clearance = wend::arc_clearance(space, arc);
@@ -21,7 +21,7 @@
 
 namespace wend {
 
-/// The clearance in cells; 0 if the arc touches an obstacle, infinite if nothing is near. An arc of
+/// The clearance in cells; 0 if the arc touches an obstacle or is not near_map(), infinite if nothing is near. An arc of
 /// length 0 has the clearance of its point. O(cells of a box around the arc as wide as what the
 /// clearance of the cells that it passes leaves open).
 WEND_API double arc_clearance(const FreeSpace& space, const Arc& arc);
@@ -31,8 +31,8 @@ WEND_API double arc_clearance(const FreeSpace& space, const Arc& arc);
 /// diagonal way touches an obstacle. Both cells are on the map. O(1).
 WEND_API std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from, Cell to);
 
-/// The same between any two cells of the map, in cells; infinite where nothing is near. O(1) for
-/// neighbours, else as arc_clearance().
+/// The same between any two cells, in cells; infinite where nothing is near, 0 if one is not on the map. O(1)
+/// for neighbours, else as arc_clearance().
 WEND_API double way_clearance(const FreeSpace& space, Cell from, Cell to);
 
 /// The largest room that room_along() reports, in cells.

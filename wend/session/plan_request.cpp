@@ -27,8 +27,9 @@ Query query_of(const PlanRequest& request, const Frame& frame) {
 Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
                                        Adjacency adjacency, const TrajectoryLimits& limits,
                                        double corner_rounding) {
-  const Path rounded = rounded_corners(path, space, corner_rounding, adjacency);
-  return Trajectory::along(rounded, space.map().frame(), limits);
+  const auto rounded = rounded_corners(path, space, corner_rounding, adjacency);
+  if (!rounded) return Unexpected<Error>(rounded.error());
+  return Trajectory::along(*rounded, space.map().frame(), limits);
 }
 
 void finish_path(PlanAnswer& answer, const PlanRequest& request) {

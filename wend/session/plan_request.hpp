@@ -81,8 +81,8 @@ WEND_API Query query_of(const PlanRequest& request, const Frame& frame);
 /// why.
 WEND_API void finish_path(PlanAnswer& answer, const PlanRequest& request);
 
-/// The fastest trajectory along a path (not empty) with rounded corners, see rounded_corners() and
-/// Trajectory::along(). Fails as the latter does.
+/// The fastest trajectory along a path with rounded corners, see rounded_corners() and Trajectory::along(). Fails as
+/// they do.
 WEND_API Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
                                                 Adjacency adjacency, const TrajectoryLimits& limits,
                                                 double corner_rounding = kCornerRounding);

@@ -76,8 +76,8 @@ class Show {
     constexpr double kSpacing = 0.1;  // cells: lines so short that arcs look like arcs
     const wend::Path drive = wend_ros::path_of(result);
     poses_.publish(wend_ros::poses_of(wend_ros::to_message(drive, frame, kFrame)));
-    if (drive.empty()) return;
-    path_.publish(wend_ros::to_message(wend::resampled(drive, kSpacing, space), frame, kFrame));
+    const auto dense = wend::resampled(drive, kSpacing, space);
+    if (dense) path_.publish(wend_ros::to_message(*dense, frame, kFrame));
   }
 
  private:

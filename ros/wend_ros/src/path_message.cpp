@@ -118,8 +118,9 @@ geometry_msgs::PoseArray poses_of(const nav_msgs::Path& path) {
 
 PathMetrics metrics_message(const wend::Path& path, const wend::FreeSpace& space) {
   PathMetrics message;
-  if (path.empty()) return message;
-  const wend::PathMetrics metrics = wend::measure(path, space);
+  const auto measured = wend::measure(path, space);
+  if (!measured) return message;
+  const wend::PathMetrics& metrics = *measured;
   const double resolution = space.map().frame().resolution;
   message.length = metrics.length * resolution;
   message.turning = metrics.turning;

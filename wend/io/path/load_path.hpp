@@ -14,9 +14,9 @@
 // ';', and blanks do not matter. The points become waypoints.
 //
 // Strict: a CSV has one of these headers and as many columns in every line; JSON has an object with a
-// list of cells or points. Cells lie in 0..2^30-1, as in every map, points in 0..2^30. Whether they lie
-// on a map, and whether they are neighbours, is not checked. A heading is N, W, E or S as drawn, or a
-// number of radians; the frame of the path's map says whether north is up or down in its grid. A file
+// list of cells or points. Coordinates of cells lie in -2^30..2^30-1, those of points in -2^30..2^30. Whether
+// they lie on a map, and whether they are neighbours, is not checked. A heading is N, W, E or S as drawn, or a
+// number of radians in -1e6..1e6; the frame of the path's map says whether north is up or down in its grid. A file
 // without a point is an error; for a failed plan the error's failed_plan has the status and the reason
 // why there is no path. Other columns must be numbers and are ignored, and so are other keys of the plan.
 // Memory is proportional to the size of the file, which may have 256 MiB.

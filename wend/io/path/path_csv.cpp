@@ -54,7 +54,7 @@ class PathColumns {
 
   int cell_coordinate(std::size_t column) {
     const auto value = parse_integer<int>(texts_[column]);
-    if (value && *value >= 0 && *value < kCoordinateEnd) return *value;
+    if (value && may_be_coordinate_of_cell(*value)) return *value;
     fail(wrong_coordinate(names_[column], quote(texts_[column])));
     return 0;
   }
@@ -69,7 +69,7 @@ class PathColumns {
   double heading(std::size_t column, bool y_up) {
     if (const auto radians = radians_of_letter(texts_[column], y_up)) return *radians;
     const auto radians = parse_number(texts_[column]);
-    if (radians && std::isfinite(*radians)) return *radians;
+    if (radians && may_be_heading(*radians)) return *radians;
     fail(wrong_heading(names_[column], quote(texts_[column])));
     return 0;
   }
@@ -154,8 +154,8 @@ Point centreline_point(PathColumns& columns, const Frame& frame) {
   if (!may_be_coordinate_of_pose(point.x) || !may_be_coordinate_of_pose(point.y)) {
     columns.fail(
         fmt::format("x_m {:.6g} and y_m {:.6g} are ({:.6g},{:.6g}) in grid coordinates, "
-                    "which must be in 0..{}",
-                    metres.x, metres.y, point.x, point.y, kCoordinateEnd));
+                    "which must be in -{}..{}",
+                    metres.x, metres.y, point.x, point.y, kCoordinateEnd, kCoordinateEnd));
   }
   return point;
 }

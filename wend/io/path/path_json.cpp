@@ -31,7 +31,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
     return no_number(value ? "true" : "false");
   }
   bool number_integer(number_integer_t value) override {
-    const bool of_cell = value >= 0 && value < kCoordinateEnd;
+    const bool of_cell = may_be_coordinate_of_cell(value);
     return number(static_cast<double>(value), of_cell, std::to_string(value));
   }
   bool number_unsigned(number_unsigned_t value) override {
@@ -165,6 +165,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
 
   bool number(double value, bool of_cell, const std::string& text) {
     if (in_list("headings", 2)) {
+      if (!may_be_heading(value)) return no_number(text);
       headings_.push_back(value);
       return true;
     }

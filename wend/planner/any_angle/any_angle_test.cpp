@@ -176,7 +176,7 @@ void compare_with_taut_astar(std::uint64_t seed, Lengths& lengths) {
   ASSERT_FALSE(collision) << describe(collision->kind);
   EXPECT_EQ(plan.cost, plan.path.length());
   EXPECT_EQ(plan.bound, Plan::kNoBound) << "the shortest path is known for points only";
-  const double taut = string_pulled(reference.path, space, adjacency).length();
+  const double taut = string_pulled(reference.path, space, adjacency)->length();
   ++lengths.queries;
   lengths.longer += plan.cost > taut * (1 + kRelative) ? 1 : 0;
   lengths.any_angle += plan.cost;

@@ -25,9 +25,10 @@ bool write_pulled_trail(const FreeSpace& space, Adjacency adjacency, const Porta
                         Cell start, std::span<const std::uint32_t> corners, Cell goal, Path& path) {
   std::vector<Cell> cells;
   if (!write_trail(portals, start, corners, goal, cells)) return false;
-  const Path pulled = string_pulled(Path(std::move(cells)), space, adjacency);
+  const auto pulled = string_pulled(Path(std::move(cells)), space, adjacency);
+  if (!pulled) return false;
   path.clear();
-  for (const Point point : pulled.waypoints()) path.go_to(point);
+  for (const Point point : pulled->waypoints()) path.go_to(point);
   return true;
 }
 

@@ -50,7 +50,8 @@ std::int64_t unit_for(double turning_radius, const Frame& frame) {
   constexpr double kMost = 1e6;
   constexpr double kRounding = 1e-9;
   const double cells = turning_radius / frame.resolution * (1 - kRounding);
-  return static_cast<std::int64_t>(std::clamp(std::ceil(cells), 1.0, kMost));
+  if (!(cells > 1)) return 1;  // or NaN, which the range of the option refuses
+  return static_cast<std::int64_t>(std::min(std::ceil(cells), kMost));
 }
 
 PlannerInfo car_planner() {

@@ -62,7 +62,7 @@ TEST_P(HybridAStar, FindsFreePathsThatKeepTheTurningRadiusAndEndExactly) {
     if (!plan) continue;
     ++found;
     EXPECT_FALSE(first_collision(plan->path, space));
-    EXPECT_GE(measure(plan->path, space).smallest_turning_radius, kRadius * (1 - 1e-6));
+    EXPECT_GE(measure(plan->path, space)->smallest_turning_radius, kRadius * (1 - 1e-6));
     const auto poses = plan->path.driven_poses();
     EXPECT_EQ(poses.front(), query.start);
     EXPECT_LT(plan->goal_snapping_error.distance, 1e-6);

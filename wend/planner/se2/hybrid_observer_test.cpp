@@ -47,7 +47,7 @@ class WayWatcher final : public SearchObserver {
     EXPECT_EQ(event.parent.has_value(), event.way.size() > 1);
     const Path way = Path::through({event.way.begin(), event.way.end()});
     EXPECT_FALSE(first_collision(way, space_));
-    EXPECT_GE(measure(way, space_).smallest_turning_radius, radius_ * (1 - 1e-6));
+    EXPECT_GE(measure(way, space_)->smallest_turning_radius, radius_ * (1 - 1e-6));
     if (!event.parent) return;
     EXPECT_EQ(*event.parent, cell_at(event.way.front().point()));
     EXPECT_EQ(event.parent_heading, event.way.front().heading);

@@ -8,6 +8,7 @@
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/lattice/query_ends.hpp"
 #include "wend/planner/se2/hybrid_reasons.hpp"
+#include "wend/robot/near_map.hpp"
 #include "wend/robot/nearest_passable.hpp"
 
 namespace wend {
@@ -76,7 +77,7 @@ void HybridPlanner::do_release() {
 }
 
 std::optional<Status> HybridPlanner::do_check(const Query& query) {
-  if (!std::isfinite(query.start.heading)) return Status::unsupported_query;
+  if (!(std::abs(query.start.heading) <= kLargestHeading)) return Status::unsupported_query;
   if (!cell_under(free_space(), query.start.point())) return Status::start_outside;
   if (!free_space().fits(query.start)) return Status::start_blocked;
   goals_.clear();
@@ -86,7 +87,9 @@ std::optional<Status> HybridPlanner::do_check(const Query& query) {
 
 std::optional<Status> HybridPlanner::take_goal(const Query& query, std::size_t index) {
   const Goal& goal = query.goals[index];
-  if (goal.heading && !std::isfinite(*goal.heading)) return Status::unsupported_query;
+  if (goal.heading && !(std::abs(*goal.heading) <= kLargestHeading)) {
+    return Status::unsupported_query;
+  }
   auto place = place_for(goal, cell_at(query.start.point()));
   if (!place) {
     if (place_for(goal)) return Status::unreachable;
@@ -101,7 +104,7 @@ std::optional<Status> HybridPlanner::take_goal(const Query& query, std::size_t i
 std::optional<double> HybridPlanner::heading_at(Point point, const Goal& goal) const {
   const double wanted = goal.heading.value_or(0);
   if (free_space().fits({point.x, point.y, wanted})) return wanted;
-  const double most = goal.heading ? goal.heading_tolerance : kPi;
+  const double most = goal.heading ? std::min(goal.heading_tolerance, kPi) : kPi;
   constexpr int kChoices = 18;  // to each side
   for (int i = 1; i <= kChoices; ++i) {
     for (const int side : {1, -1}) {

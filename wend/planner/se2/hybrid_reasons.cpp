@@ -9,6 +9,7 @@
 #include "wend/geometry/box.hpp"
 #include "wend/geometry/trigonometry.hpp"
 #include "wend/robot/contact.hpp"
+#include "wend/robot/near_map.hpp"
 
 namespace wend {
 namespace {
@@ -136,9 +137,9 @@ std::string searched_text(const FreeSpace& space, const NoDriveFound& no_drive) 
 }  // namespace
 
 std::string reason_of_headings(const Query& query) {
-  const bool of_start = !std::isfinite(query.start.heading);
+  const bool of_start = !(std::abs(query.start.heading) <= kLargestHeading);
   return "the heading of the " + std::string(of_start ? "start" : "goal") +
-         " is not a finite number of radians";
+         " is not a number of radians in -1e6..1e6";
 }
 
 std::string reason_of_outside_start(const FreeSpace& space, const Query& query) {

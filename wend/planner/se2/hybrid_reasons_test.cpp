@@ -103,9 +103,9 @@ TEST(HybridReasons, RefuseHeadingsThatAreNotNumbers) {
   const FreeSpace yard = space_for(kYard, kBox);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(answer(yard, between({3, 3, nan}, {12, 3, 0}), kTight),
-            "unsupported_query: the heading of the start is not a finite number of radians");
+            "unsupported_query: the heading of the start is not a number of radians in -1e6..1e6");
   EXPECT_EQ(answer(yard, between({3, 3, 0}, {12, 3, nan}), kTight),
-            "unsupported_query: the heading of the goal is not a finite number of radians");
+            "unsupported_query: the heading of the goal is not a number of radians in -1e6..1e6");
 }
 
 TEST(HybridReasons, RefuseACarWithoutATurningRadius) {

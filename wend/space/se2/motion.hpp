@@ -32,8 +32,10 @@ constexpr int gear_of(const Motion& motion) {
   return motion.length > 0 ? 1 : motion.length < 0 ? -1 : 0;
 }
 
-/// The angle in [-pi, pi], for an angle of at most some turns.
+/// The angle in [-pi, pi], fast for an angle of some turns.
 inline double wrapped_angle(double radians) {
+  constexpr double kSome = 64;
+  if (!(std::abs(radians) <= kSome)) return std::remainder(radians, 2 * kPi);
   while (radians > kPi) radians -= 2 * kPi;
   while (radians < -kPi) radians += 2 * kPi;
   return radians;
