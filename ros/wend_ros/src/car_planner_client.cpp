@@ -2,6 +2,9 @@
 // shows yard and drive in rviz, in the frame `car_map`.
 //
 //   rosrun wend_ros car_planner_client 20 20 0 0 2 18 18 2 25 25
+//
+// It exits with 0 (found), 1 (no path), 2 (wrong arguments) or 3 (no server). With the parameter stay it stays until it
+// is stopped, so that rviz, which may come later, gets what it shows.
 
 #include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/TransformStamped.h>
@@ -113,7 +116,7 @@ int plan_and_show(ros::NodeHandle& node, const wend_ros::CarRequest& request, bo
     ROS_ERROR_STREAM("no drive, " << result.status << " " << result.status_name << ": "
                                   << result.reason);
   }
-  if (stays) ros::spin();  // for rviz, which may come later
+  if (stays) ros::spin();
   return result.status == 0 ? kFound : kNoPlan;
 }
 
@@ -131,5 +134,5 @@ int main(int argc, char** argv) {
     ROS_ERROR_STREAM(request.error());
     return kBadArguments;
   }
-  return plan_and_show(node, *request, own.param("stay", true));
+  return plan_and_show(node, *request, own.param("stay", false));
 }

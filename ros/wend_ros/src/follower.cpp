@@ -1,16 +1,19 @@
 // follower: drives the robot by /cmd_vel, along /plan_smoothed with one of wend's controllers, or so that it
 // tracks /trajectory.
 //
-//   rosrun wend_ros follower _controller:=pure_pursuit
+//   rosrun wend_ros follower _controller:=pure_pursuit _robot_radius:=0.25
 //   rosrun wend_ros follower _controller:=trajectory
 //
-// It stops when the pose is lost, when /cancel says so, when an empty or invalid path comes, and at the
-// goal; a path that is too old when it comes is not driven. A new path takes over while it drives. What it
-// is doing it says on ~state: "driving", "reached", "stuck", "off_path", "idle", "no_pose".
+// It stops at the goal, when /cancel says so, and when an empty or invalid path comes; a path that is too old when it
+// comes is not driven, nor one that it cannot reach along a free line. A new path takes over while it drives.
+//
+// It brakes, and drives on when that has passed, while the path ahead is blocked on the newest map, and while its pose,
+// the planner or a map that changes regularly are silent. What it is doing it says on ~state: "driving", "reached",
+// "stuck", "off_path", "idle", "refused", "invalid"; "no_pose", "no_planner", "no_map", "blocked".
 //
 // Parameters: controller, and the options of the controller, of the follower (acceptance_radius,
 // goal_tolerance, ...) and of the limits (speed, turn_rate, ...) by their names; rate (Hz), path_age
-// (s), pose_age (s), robot_frame.
+// (s), pose_age (s), robot_frame; planner_timeout, map_timeout; check_path, and what the check needs (map_guard.hpp).
 
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Path.h>
@@ -19,8 +22,12 @@
 #include <std_msgs/String.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
+#include <wend_ros/PlannerAlive.h>
 
+#include <chrono>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,10 +36,13 @@
 #include "wend/base/expected.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/follower.hpp"
+#include "wend/control/joining.hpp"
 #include "wend/control/trajectory_tracker.hpp"
+#include "wend_ros/map_guard.hpp"
 #include "wend_ros/master_watch.hpp"
 #include "wend_ros/option_parameters.hpp"
 #include "wend_ros/path_message.hpp"
+#include "wend_ros/silence_watch.hpp"
 #include "wend_ros/tracking.hpp"
 
 namespace {
@@ -62,48 +72,57 @@ struct Steering {
 /// The name of the tracker, which is not in the registry: it needs a trajectory.
 constexpr std::string_view kTracker = "trajectory";
 
-/// A trajectory ends with a heading.
-wend::FollowerOptions follower_options(const ros::NodeHandle& own, bool tracks) {
-  constexpr double kHeadingTolerance = 0.1;  // rad
-  auto options = wend_ros::options_from_parameters<wend::FollowerOptions>(own);
-  if (tracks && !own.hasParam("heading_tolerance")) options.heading_tolerance = kHeadingTolerance;
-  return options;
+/// Seconds of a clock that never goes back.
+double steady_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Why a robot that has a path does not drive on.
+struct Halt {
+  std::string state;
+  std::string reason;
+};
+
+wend::Unexpected<Halt> halt(std::string state, std::string reason) {
+  return wend::Unexpected<Halt>({std::move(state), std::move(reason)});
 }
 
 class FollowerNode {
  public:
   FollowerNode(ros::NodeHandle& node, ros::NodeHandle& own, Steering steering)
-      : rate_(own.param("rate", 20.0)),
-        path_age_(own.param("path_age", 30.0)),
-        pose_age_(own.param("pose_age", 0.5)),
+      : rate_(wend_ros::positive_parameter(own, "rate", 20)),
+        path_age_(wend_ros::positive_parameter(own, "path_age", 30)),
+        pose_age_(wend_ros::positive_parameter(own, "pose_age", 0.5)),
         robot_frame_(own.param<std::string>("robot_frame", "base_link")),
         limits_(wend_ros::options_from_parameters<wend::VelocityLimits>(own)),
         steering_(std::move(steering)),
-        follower_(*steering_.controller, limits_,
-                  follower_options(own, steering_.tracker != nullptr)),
+        options_(wend_ros::options_from_parameters<wend::FollowerOptions>(own)),
+        follower_(*steering_.controller, limits_, options_),
+        silence_(wend_ros::options_from_parameters<wend_ros::SilenceLimits>(own)),
         listener_(buffer_),
         commands_(node.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
-        states_(own.advertise<std_msgs::String>("state", 1, true)),
-        paths_(steering_.tracker != nullptr
-                   ? node.subscribe("trajectory", 1, &FollowerNode::take_trajectory, this)
-                   : node.subscribe("plan_smoothed", 1, &FollowerNode::take_path, this)),
-        cancels_(node.subscribe("cancel", 1, &FollowerNode::cancel, this)),
-        timer_(node.createTimer(ros::Duration(1 / rate_), &FollowerNode::step, this)) {
+        states_(own.advertise<std_msgs::String>("state", 1, true)) {
+    if (own.param("check_path", true)) {
+      guard_ = std::make_unique<wend_ros::MapGuard>(own, limits_, 1 / rate_);
+    }
+    subscribers_ = {steering_.tracker != nullptr
+                        ? node.subscribe("trajectory", 1, &FollowerNode::take_trajectory, this)
+                        : node.subscribe("plan_smoothed", 1, &FollowerNode::take_path, this),
+                    node.subscribe("cancel", 1, &FollowerNode::cancel, this),
+                    node.subscribe("planner_alive", 1, &FollowerNode::hear_planner, this)};
+    timer_ = node.createTimer(ros::Duration(1 / rate_), &FollowerNode::step, this);
     say("idle");
   }
 
  private:
-  void take_path(const nav_msgs::Path& path) {
-    if (!is_fresh(path)) return stop("idle");
-    std::vector<wend::Point> points;
-    for (const auto& stamped : path.poses) {
-      if (!wend_ros::is_finite(stamped.pose)) {
-        ROS_ERROR("path rejected: a pose contains NaN or infinity");
-        return stop("idle");
-      }
-      points.push_back({stamped.pose.position.x, stamped.pose.position.y});
+  void take_path(const nav_msgs::Path& message) {
+    if (!is_fresh(message)) return stop("idle");
+    auto route = wend_ros::route_from(message);
+    if (!route) {
+      ROS_ERROR_STREAM("path rejected: " << route.error().message);
+      return stop("idle");
     }
-    follow(wend::Path::along(points), path.header.frame_id);
+    follow(*std::move(route), message.header);
   }
 
   /// Its time begins now, whatever the stamps count from.
@@ -116,8 +135,12 @@ class FollowerNode {
       ROS_ERROR_STREAM("trajectory rejected: " << fault);
       return stop("idle");
     }
+    wend::Route route = *wend_ros::route_through(message);
+    const double duration = trajectory->duration();
+    if (driving_ && duration == duration_ && same_route(route, route_)) return;
+    duration_ = duration;
     steering_.tracker->track(*std::move(trajectory));
-    follow(wend_ros::path_through(message), message.header.frame_id);
+    follow(std::move(route), message.header);
   }
 
   /// False for an empty path, which says that there is none any more, and for one that is too old.
@@ -129,29 +152,37 @@ class FollowerNode {
     return false;
   }
 
-  /// A path in metres, which are the grid's units here.
-  void follow(const wend::Path& path, const std::string& frame_id) {
-    frame_id_ = frame_id;
-    follower_.follow(wend::Route(path, wend::Frame{}));
+  /// It begins at the next step, when it is known where the robot and the obstacles are.
+  void follow(wend::Route route, const std_msgs::Header& header) {
+    frame_id_ = header.frame_id;
+    path_stamp_ = header.stamp.isZero() ? ros::Time::now() : header.stamp;
+    route_ = std::move(route);
+    begins_ = true;
     driving_ = true;
   }
 
   void cancel(const std_msgs::Empty&) { stop("idle"); }
 
-  /// Where the robot is in the path's frame, or why that is unknown.
-  wend::Expected<wend::MapPose, std::string> pose() const {
+  /// A planner that was started later does not know the path: nobody would change it.
+  void hear_planner(const wend_ros::PlannerAlive& sign) {
+    silence_.hear_planner(steady_now());
+    if (!driving_ || sign.began <= path_stamp_) return;
+    ROS_WARN("the planner was started anew: its old path is not driven any more");
+    stop("idle");
+  }
+
+  /// Where a frame lies in another one, or why that is unknown.
+  wend::Expected<wend::MapPose, std::string> lookup(const std::string& in, const std::string& frame,
+                                                    double most_age) const {
     try {
-      const auto transform = buffer_.lookupTransform(frame_id_, robot_frame_, ros::Time(0));
-      const double age = wend_ros::seconds_between(transform.header.stamp, ros::Time::now());
-      if (age > pose_age_) {
+      const auto transform = buffer_.lookupTransform(in, frame, ros::Time(0));
+      const ros::Time& stamp = transform.header.stamp;
+      const double age = wend_ros::seconds_between(stamp, ros::Time::now());
+      if (age > most_age && !stamp.isZero()) {
         return wend::Unexpected<std::string>("the last transform is " + std::to_string(age) +
                                              " s old");
       }
-      geometry_msgs::Pose pose;
-      pose.position.x = transform.transform.translation.x;
-      pose.position.y = transform.transform.translation.y;
-      pose.orientation = transform.transform.rotation;
-      return wend_ros::pose_from(pose);
+      return wend_ros::pose_from(transform.transform);
     } catch (const tf2::TransformException& fault) {
       return wend::Unexpected<std::string>(fault.what());
     }
@@ -159,12 +190,11 @@ class FollowerNode {
 
   void step(const ros::TimerEvent&) {
     if (!driving_) return;
-    const auto where = pose();
-    if (!where) {
-      ROS_WARN_STREAM_THROTTLE(1, "robot pose unknown, it stops: " << where.error());
-      command({});
-      return say("no_pose");
-    }
+    const auto where = may_drive();
+    if (!driving_) return;  // the path is refused
+    if (!where) return brake(where.error());
+    follower_.set_velocity(velocity_);
+    joins_at_.reset();
     const wend::FollowerStep step = follower_.step(*where, 1 / rate_);
     if (step.state != wend::FollowerState::driving) {
       ROS_INFO_STREAM("follower: " << text_of(step.state));
@@ -174,13 +204,86 @@ class FollowerNode {
     say("driving");
   }
 
+  /// The robot's pose if it may drive on, or why it may not.
+  wend::Expected<wend::MapPose, Halt> may_drive() {
+    const auto where = lookup(frame_id_, robot_frame_, pose_age_);
+    if (!where) return halt("no_pose", "robot pose unknown: " + where.error());
+    const double now = steady_now();
+    if (silence_.silent(now) == wend_ros::Silent::planner) {
+      return halt("no_planner", "the planner is silent: no message of planner_alive");
+    }
+    if (!guard_) {
+      begin(*where);
+      return *where;
+    }
+    const auto map = guard_->now();
+    if (!map) return halt("no_map", map.error().message);
+    silence_.hear_map(std::chrono::duration<double>(map->heard.time_since_epoch()).count());
+    if (silence_.silent(now) == wend_ros::Silent::map) return halt("no_map", "the map is silent");
+    const auto lies = lies_in(map->view.frame_id);
+    if (!lies) return halt("no_pose", lies.error());
+    if (!begin(*where)) return *where;
+    const auto blocked = guard_->path().why_blocked(
+        {map->view.space, *lies}, route_, joins_at_ ? joins_at_->leg : follower_.leg(),
+        joins_at_ ? joins_at_->along : follower_.along_leg());
+    if (blocked) return halt("blocked", *blocked);
+    return *where;
+  }
+
+  /// The newest map, and where the path's frame lies in it; nothing if either is unknown.
+  std::optional<std::pair<wend::FreeSpace, wend::MapPose>> guarded_space() const {
+    const auto map = guard_->now();
+    if (!map) return std::nullopt;
+    const auto lies = lies_in(map->view.frame_id);
+    if (!lies) return std::nullopt;
+    return std::pair{map->view.space, *lies};
+  }
+
+  /// Where the path's frame lies in that of the map.
+  wend::Expected<wend::MapPose, std::string> lies_in(const std::string& map_frame) const {
+    if (map_frame == frame_id_) return wend::MapPose{};
+    return lookup(map_frame, frame_id_, pose_age_);
+  }
+
+  /// Begins with a path that has come; false if it is refused.
+  bool begin(const wend::MapPose& where) {
+    if (!begins_) return true;
+    begins_ = false;
+    wend::FreeLine can_reach;
+    if (guard_) {
+      can_reach = [this](const wend::MapPose& from, wend::MapPoint to) {
+        const auto space = guarded_space();
+        return space && guard_->path().can_reach({space->first, space->second}, from.point(), to);
+      };
+    }
+    const wend::JoiningOptions joining{
+        .within = options_.off_path, .tie = options_.acceptance_radius, .can_reach = can_reach};
+    const auto place = place_to_join(route_, where, joining);
+    if (!place && can_reach && !can_reach(where, route_.start().point())) {
+      ROS_ERROR("path rejected: the straight line from the robot to it is not free");
+      stop("refused");
+      return false;
+    }
+    joins_at_ = place.value_or(wend::OnRoute{});
+    follower_.follow(route_, std::move(can_reach));
+    return true;
+  }
+
+  /// As fast as the limits allow.
+  void brake(const Halt& halt) {
+    ROS_WARN_STREAM_THROTTLE(1, "it brakes: " << halt.reason);
+    command(limited({}, velocity_, limits_, 1 / rate_));
+    say(halt.state);
+  }
+
   void stop(const std::string& state) {
-    driving_ = false;
+    driving_ = begins_ = false;
     command({});
     say(state);
   }
 
-  void command(const wend::Velocity& velocity) const {
+  void command(const wend::Velocity& velocity) {
+    velocity_ = velocity;
     geometry_msgs::Twist twist;
     twist.linear.x = velocity.linear;
     twist.angular.z = velocity.angular;
@@ -201,17 +304,27 @@ class FollowerNode {
   std::string robot_frame_;
   wend::VelocityLimits limits_;
   Steering steering_;
+  wend::FollowerOptions options_;
   wend::Follower follower_;
+  wend_ros::SilenceWatch silence_;
+  std::unique_ptr<wend_ros::MapGuard> guard_;  // null: paths are not tested
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;
   ros::Publisher commands_;
   ros::Publisher states_;
-  ros::Subscriber paths_;
-  ros::Subscriber cancels_;
-  ros::Timer timer_;
-  bool driving_ = false;
-  std::string frame_id_;
+
+  bool driving_ = false;                   // along route_, or waits until it may
+  bool begins_ = false;                    // with a path that has just come
+  std::optional<wend::OnRoute> joins_at_;  // until the first step along it
+  wend::Route route_{std::vector{wend::RouteLeg{wend::MapPolyline({wend::MapPoint{}})}}};
+  std::string frame_id_;     // of the path
+  ros::Time path_stamp_;     // when it was made
+  double duration_ = 0;      // of the trajectory, s
+  wend::Velocity velocity_;  // as last commanded
   std::string said_;
+
+  ros::Timer timer_;
+  std::vector<ros::Subscriber> subscribers_;  // last: they use the others
 };
 
 /// The controller of the parameters, or why there is none.
@@ -245,7 +358,7 @@ int main(int argc, char** argv) {
     ROS_FATAL_STREAM(steering.error());
     return 2;
   }
-  const FollowerNode follower(node, own, *std::move(steering));
+  FollowerNode follower(node, own, *std::move(steering));
   const wend_ros::MasterWatch watch;
   ros::spin();
   return 0;

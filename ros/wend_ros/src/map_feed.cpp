@@ -34,6 +34,8 @@ std::vector<std::string> mask_specs(const ros::NodeHandle& own) {
   return specs;
 }
 
+Stamp stamp_of(const std_msgs::Header& header) { return static_cast<Stamp>(header.stamp.toNSec()); }
+
 Masks masks_of(const ros::NodeHandle& own) {
   Masks masks = Masks::of(mask_specs(own));
   for (const std::string& fault : masks.faults()) ROS_ERROR_STREAM("~masks: " << fault);
@@ -73,7 +75,9 @@ wend::Expected<MapFeed::Now, wend::Error> MapFeed::now() const {
   const std::lock_guard lock(mutex_);
   auto view = session_.view();
   if (!view) return wend::Unexpected<wend::Error>(std::move(view.error()));
-  return Now{*std::move(view), stamp_, change_time_};
+  ros::Time stamp;
+  stamp.fromNSec(static_cast<std::uint64_t>(map_.stamp()));
+  return Now{*std::move(view), stamp, change_time_, heard_};
 }
 
 MapReading MapFeed::reading_of(const CostReading& costs) const {
@@ -99,16 +103,28 @@ void MapFeed::take_update(const map_msgs::OccupancyGridUpdate& message) {
   if (const auto change = put(message)) changed_(*change);
 }
 
+wend::Expected<OccupancyMap::Change, wend::Error> MapFeed::take(
+    const nav_msgs::OccupancyGrid& message) {
+  auto layout = layout_of(message);
+  if (!layout) return wend::Unexpected<wend::Error>(std::move(layout.error()));
+  return map_.take(*std::move(layout), message.data, stamp_of(message.header));
+}
+
 std::optional<MapFeed::Change> MapFeed::put(const nav_msgs::OccupancyGrid& message) {
   const auto came = std::chrono::steady_clock::now();
   const std::lock_guard lock(mutex_);
-  auto taken = map_.take(layout_of(message), message.data);
+  heard_ = came;
+  auto taken = take(message);
   if (!taken) {
     ROS_ERROR_STREAM(topic_ << ": " << taken.error().message);
+    map_.clear();
     session_.clear_map(taken.error().message);
     return std::nullopt;
   }
-  stamp_ = message.header.stamp;
+  if (taken->keeps_newer && !std::exchange(told_order_, true)) {
+    ROS_WARN_STREAM(topic_ << ": a map is older than updates that came before it, which lie over "
+                              "it; this is said once");
+  }
   if (!taken->whole) return edit(taken->edit, came);
   ROS_INFO_STREAM(topic_ << ": " << message.info.width << " x " << message.info.height
                          << " cells in the frame '" << message.header.frame_id << "'");
@@ -118,13 +134,13 @@ std::optional<MapFeed::Change> MapFeed::put(const nav_msgs::OccupancyGrid& messa
 std::optional<MapFeed::Change> MapFeed::put(const map_msgs::OccupancyGridUpdate& message) {
   const auto came = std::chrono::steady_clock::now();
   const std::lock_guard lock(mutex_);
-  const auto taken = map_.take(update_of(message));
+  heard_ = came;
+  const auto taken = map_.take(update_of(message), stamp_of(message.header));
   if (!taken) {
     ROS_WARN_STREAM_THROTTLE(
         1, topic_ << "_updates: an update is not used: " << taken.error().message);
     return std::nullopt;
   }
-  stamp_ = message.header.stamp;
   return edit(*taken, came);
 }
 

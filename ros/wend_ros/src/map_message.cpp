@@ -1,15 +1,11 @@
 #include "wend_ros/map_message.hpp"
 
-#include <tf2/LinearMath/Quaternion.h>
-#include <tf2/utils.h>
-#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
-
 #include <array>
 #include <cassert>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
-#include <limits>
+
+#include "wend_ros/pose_message.hpp"
 
 namespace wend_ros {
 namespace {
@@ -24,14 +20,6 @@ double as_written(float value) {
   return written;
 }
 
-/// The yaw of an orientation. All zeros (an unset message): 0.
-double yaw_of(const geometry_msgs::Quaternion& turn) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (!std::isfinite(turn.x + turn.y + turn.z + turn.w)) return kNone;
-  const bool empty = turn.x == 0 && turn.y == 0 && turn.z == 0 && turn.w == 0;
-  return empty ? 0 : tf2::getYaw(turn);
-}
-
 }  // namespace
 
 nav_msgs::MapMetaData information_of(const wend::GridMap& map) {
@@ -40,11 +28,7 @@ nav_msgs::MapMetaData information_of(const wend::GridMap& map) {
   information.resolution = static_cast<float>(frame.resolution);
   information.width = static_cast<std::uint32_t>(map.width());
   information.height = static_cast<std::uint32_t>(map.height());
-  information.origin.position.x = frame.origin.x;
-  information.origin.position.y = frame.origin.y;
-  tf2::Quaternion turn;
-  turn.setRPY(0, 0, frame.origin.heading);
-  information.origin.orientation = tf2::toMsg(turn);
+  information.origin = to_message(frame.origin);
   return information;
 }
 
@@ -78,16 +62,19 @@ map_msgs::OccupancyGridUpdate update_message(const wend::GridMap& map, const wen
   return message;
 }
 
-OccupancyLayout layout_of(const nav_msgs::OccupancyGrid& message) {
+wend::Expected<OccupancyLayout, wend::Error> layout_of(const nav_msgs::OccupancyGrid& message) {
   const auto& info = message.info;
-  return {.frame_id = message.header.frame_id,
-          .width = info.width,
-          .height = info.height,
-          .frame = {.resolution = as_written(info.resolution),
-                    .origin = {info.origin.position.x, info.origin.position.y,
-                               yaw_of(info.origin.orientation)},
-                    .y_up = true,
-                    .metric = true}};
+  const auto origin = pose_from(info.origin);
+  if (!origin) {
+    return wend::failure(wend::Status::invalid_map, "the map's origin " + origin.error());
+  }
+  return OccupancyLayout{.frame_id = message.header.frame_id,
+                         .width = info.width,
+                         .height = info.height,
+                         .frame = {.resolution = as_written(info.resolution),
+                                   .origin = *origin,
+                                   .y_up = true,
+                                   .metric = true}};
 }
 
 OccupancyUpdate update_of(const map_msgs::OccupancyGridUpdate& message) {
@@ -101,7 +88,9 @@ OccupancyUpdate update_of(const map_msgs::OccupancyGridUpdate& message) {
 
 wend::Expected<wend::GridMap, wend::Error> map_from(const nav_msgs::OccupancyGrid& message,
                                                     const MapReading& reading) {
-  return map_from(layout_of(message), message.data, reading);
+  const auto layout = layout_of(message);
+  if (!layout) return wend::Unexpected<wend::Error>(layout.error());
+  return map_from(*layout, message.data, reading);
 }
 
 }  // namespace wend_ros

@@ -17,9 +17,9 @@
 
 #include "wend_ros/costmap.hpp"
 #include "wend_ros/option_parameters.hpp"
-#include "wend_ros/path_message.hpp"
 #include "wend_ros/planning.hpp"
 #include "wend_ros/plugins.hpp"
+#include "wend_ros/pose_message.hpp"
 
 namespace wend_ros {
 
@@ -52,8 +52,10 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
       ROS_ERROR("makePlan() before initialize()");
       return false;
     }
-    if (!is_finite(start.pose) || !is_finite(goal.pose)) {
-      ROS_ERROR("the start or the goal pose contains NaN or infinity");
+    const auto from = pose_from(start.pose);
+    const auto to = pose_from(goal.pose);
+    if (!from || !to) {
+      ROS_ERROR_STREAM((from ? "the goal " : "the start ") << (from ? to : from).error());
       return false;
     }
     take_costmap();
@@ -68,11 +70,8 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
                                                << "' expected");
       return false;
     }
-    const Ask ask{.start = pose_from(start.pose),
-                  .goals = {pose_from(goal.pose)},
-                  .planner = {},
-                  .options = {}};
-    const auto [result, path, way] = answer(session_, *map, parameters_, ask);
+    const Ask ask{.start = *from, .goals = {*to}, .planner = {}, .options = {}};
+    const auto [result, path, driven, way] = answer(session_, *map, parameters_, ask);
     if (result.status != static_cast<std::uint16_t>(StatusCode::found)) {
       ROS_WARN_STREAM(result.status_name << ": " << result.reason);
       return false;

@@ -1,5 +1,7 @@
 #include "wend_ros/option_parameters.hpp"
 
+#include <cmath>
+
 #include "wend/base/parse.hpp"
 
 namespace wend_ros {
@@ -31,6 +33,14 @@ std::optional<std::string> parameter_text(const ros::NodeHandle& own, const std:
   XmlRpc::XmlRpcValue value;
   if (!own.getParam(name, value)) return std::nullopt;
   return text_of(value);
+}
+
+double positive_parameter(const ros::NodeHandle& own, const std::string& name, double otherwise) {
+  const double value = own.param(name, otherwise);
+  if (value > 0 && std::isfinite(value)) return value;
+  ROS_ERROR_STREAM("~" << name << " is " << value << ": a number above 0 expected; it stays "
+                       << otherwise);
+  return otherwise;
 }
 
 wend::OptionValues parameters_of(const ros::NodeHandle& own,

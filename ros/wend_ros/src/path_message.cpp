@@ -1,11 +1,12 @@
 #include "wend_ros/path_message.hpp"
 
-#include <tf2/LinearMath/Quaternion.h>
-#include <tf2/utils.h>
-#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include <cmath>
-
+#include "wend/control/given_route.hpp"
 #include "wend/path/dense_poses.hpp"
 #include "wend/path/path_metrics.hpp"
 
@@ -24,33 +25,40 @@ nav_msgs::Path message_of(const std::vector<wend::Pose>& poses, const wend::Fram
   return message;
 }
 
+/// The poses of a path as `read` reads each of them, or which one is wrong; `name`: of the path.
+template <class Read>
+wend::Expected<std::vector<wend::MapPose>, wend::Error> poses_from(const nav_msgs::Path& message,
+                                                                   const std::string& name,
+                                                                   const Read& read) {
+  std::vector<wend::MapPose> poses;
+  poses.reserve(message.poses.size());
+  for (const auto& stamped : message.poses) {
+    const std::string& frame_id = stamped.header.frame_id;
+    if (!frame_id.empty() && frame_id != message.header.frame_id) {
+      return wend::failure(wend::Status::unsupported_query,
+                           "a pose of " + name + " is in the frame '" + frame_id + "', not '" +
+                               message.header.frame_id + "'");
+    }
+    const auto pose = read(stamped.pose);
+    if (!pose) {
+      const std::string number = std::to_string(poses.size());
+      return wend::failure(wend::Status::unsupported_query,
+                           "pose " + number + " of " + name + " " + pose.error());
+    }
+    poses.push_back(*pose);
+  }
+  return poses;
+}
+
+wend::Unexpected<wend::Error> no_poses() {
+  return wend::failure(wend::Status::unsupported_query, "the path has no poses");
+}
+
 }  // namespace
-
-geometry_msgs::Pose to_message(const wend::MapPose& pose) {
-  geometry_msgs::Pose message;
-  message.position.x = pose.x;
-  message.position.y = pose.y;
-  tf2::Quaternion turn;
-  turn.setRPY(0, 0, pose.heading);
-  message.orientation = tf2::toMsg(turn);
-  return message;
-}
-
-wend::MapPose pose_from(const geometry_msgs::Pose& message) {
-  const auto& turn = message.orientation;
-  const bool empty = turn.x == 0 && turn.y == 0 && turn.z == 0 && turn.w == 0;
-  return {message.position.x, message.position.y, empty ? 0 : tf2::getYaw(turn)};
-}
 
 double seconds_between(ros::Time from, ros::Time to) {
   return static_cast<double>(to.sec) - static_cast<double>(from.sec) +
          1e-9 * (static_cast<double>(to.nsec) - static_cast<double>(from.nsec));
-}
-
-bool is_finite(const geometry_msgs::Pose& pose) {
-  const auto& at = pose.position;
-  const auto& turn = pose.orientation;
-  return std::isfinite(at.x + at.y + at.z + turn.x + turn.y + turn.z + turn.w);
 }
 
 nav_msgs::Path to_message(const wend::Path& path, const wend::Frame& frame,
@@ -76,29 +84,50 @@ nav_msgs::Path to_message(const wend::Trajectory& trajectory, const std::string&
   return message;
 }
 
-wend::Expected<wend::Trajectory, wend::Error> trajectory_from(const nav_msgs::Path& message) {
-  std::vector<wend::TimedPose> poses;
-  poses.reserve(message.poses.size());
-  for (const auto& stamped : message.poses) {
-    const std::string& frame_id = stamped.header.frame_id;
-    if (!frame_id.empty() && frame_id != message.header.frame_id) {
-      return wend::failure(wend::Status::unsupported_query,
-                           "a pose of the trajectory is in the frame '" + frame_id + "', not '" +
-                               message.header.frame_id + "'");
-    }
-    poses.push_back({seconds_between(message.poses.front().header.stamp, stamped.header.stamp),
-                     pose_from(stamped.pose)});
-  }
-  return wend::Trajectory::through(poses);
+nav_msgs::Path ending_with(double heading, nav_msgs::Path path) {
+  if (path.poses.empty()) return path;
+  geometry_msgs::Pose& last = path.poses.back().pose;
+  last.orientation = to_message(wend::MapPose{0, 0, heading}).orientation;
+  return path;
 }
 
-wend::Path path_through(const nav_msgs::Path& message) {
-  std::vector<wend::Pose> poses;
-  for (const auto& stamped : message.poses) {
-    const wend::MapPose pose = pose_from(stamped.pose);
-    poses.push_back({pose.x, pose.y, pose.heading});
+wend::Expected<wend::Trajectory, wend::Error> trajectory_from(const nav_msgs::Path& message) {
+  auto poses = poses_from(message, "the trajectory",
+                          [](const geometry_msgs::Pose& pose) { return pose_from(pose); });
+  if (!poses) return wend::Unexpected<wend::Error>(std::move(poses.error()));
+  std::vector<wend::TimedPose> timed;
+  timed.reserve(poses->size());
+  for (std::size_t i = 0; i < poses->size(); ++i) {
+    const ros::Time& stamp = message.poses[i].header.stamp;
+    timed.push_back({seconds_between(message.poses.front().header.stamp, stamp), (*poses)[i]});
   }
-  return wend::Path::through(poses);
+  return wend::Trajectory::through(timed);
+}
+
+wend::Expected<wend::Route, wend::Error> route_through(const nav_msgs::Path& message) {
+  const auto poses = poses_from(message, "the path",
+                                [](const geometry_msgs::Pose& pose) { return pose_from(pose); });
+  if (!poses) return wend::Unexpected<wend::Error>(poses.error());
+  if (poses->empty()) return no_poses();
+  std::vector<wend::Pose> places;
+  for (const wend::MapPose& pose : *poses) places.push_back({pose.x, pose.y, pose.heading});
+  return wend::Route(wend::Path::through(std::move(places)), wend::Frame{});
+}
+
+wend::Expected<wend::Route, wend::Error> route_from(const nav_msgs::Path& message) {
+  const bool has_headings = std::any_of(
+      message.poses.begin(), message.poses.end(), [](const geometry_msgs::PoseStamped& stamped) {
+        return !is_unset(orientation_of(stamped.pose.orientation));
+      });
+  const auto poses = poses_from(message, "the path", [&](geometry_msgs::Pose pose) {
+    if (!has_headings) pose.orientation.w = 1;
+    return pose_from(pose);
+  });
+  if (!poses) return wend::Unexpected<wend::Error>(poses.error());
+  if (has_headings || poses->empty()) return wend::given_route(*poses);
+  std::vector<wend::Point> points;
+  for (const wend::MapPose& pose : *poses) points.push_back({pose.x, pose.y});
+  return wend::Route(wend::Path::along(std::move(points)), wend::Frame{});
 }
 
 nav_msgs::Path starting_at(ros::Time start, nav_msgs::Path trajectory) {

@@ -10,14 +10,21 @@
 
 namespace wend_ros {
 
-PlanPublisher::PlanPublisher(ros::NodeHandle& node)
+PlanPublisher::PlanPublisher(ros::NodeHandle& node, ros::NodeHandle& own)
     : plan_(node.advertise<nav_msgs::Path>("plan", 1, true)),
       smoothed_(node.advertise<nav_msgs::Path>("plan_smoothed", 1, true)),
       trajectory_(node.advertise<nav_msgs::Path>("trajectory", 1, true)),
       poses_(node.advertise<geometry_msgs::PoseArray>("plan_poses", 1, true)),
       expansion_(node.advertise<nav_msgs::OccupancyGrid>("expansion", 1, true)),
       markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 8, true)),
-      results_(node.advertise<PlanResult>("plan_result", 1, true)) {}
+      results_(node.advertise<PlanResult>("plan_result", 1, true)),
+      queried_plan_(own.advertise<nav_msgs::Path>("queried_plan", 1, true)),
+      queried_markers_(own.advertise<visualization_msgs::MarkerArray>("queried_markers", 1, true)),
+      alive_(node.advertise<PlannerAlive>("planner_alive", 1)) {
+  sign_.began = ros::Time::now();
+}
+
+void PlanPublisher::tell_alive() const { alive_.publish(sign_); }
 
 void PlanPublisher::show_map(const wend::GridMap& map, const std::string& frame_id) const {
   // rviz draws a box for each; of large maps /map itself has to do.
@@ -47,6 +54,15 @@ void PlanPublisher::show(const Answer& answer, const wend::Session::View& map,
   if (watch != nullptr && !watch->order().empty()) {
     expansion_.publish(heatmap_of(watch->order(), map.space.map(), map.frame_id));
   }
+}
+
+void PlanPublisher::show_queried(const Answer& answer, const wend::Session::View& map) const {
+  nav_msgs::Path path = answer.way;
+  path.header.frame_id = map.frame_id;
+  path.header.stamp = ros::Time::now();
+  queried_plan_.publish(path);
+  queried_markers_.publish(
+      path_markers({answer.path, map.space.map().frame(), map.frame_id}, map.space.footprint()));
 }
 
 }  // namespace wend_ros

@@ -15,6 +15,8 @@
 namespace wend_ros {
 namespace {
 
+constexpr std::size_t kMostGoals = 1000;
+
 wend::Unexpected<PlanResult> refused(StatusCode code, std::string reason) {
   return wend::Unexpected<PlanResult>(refusal(code, std::move(reason)));
 }
@@ -48,7 +50,7 @@ MapFeed::CostReading costs_of(const Parameters& parameters) {
 }  // namespace
 
 PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeHandle& services)
-    : publisher_(node), robot_(node, own) {
+    : publisher_(node, own), robot_(node, own) {
   reconfigure_ = std::make_unique<Reconfigure>(
       own, [this](const Parameters& parameters) { take_parameters(parameters); });
   const double replan_rate = own.param("replan_rate", 0.0);
@@ -59,6 +61,9 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeH
   constexpr double kShowPeriod = 1;  // s
   show_timer_ =
       node.createWallTimer(ros::WallDuration(kShowPeriod), &PlannerNode::show_edited_map, this);
+  constexpr double kAlivePeriod = 0.05;  // s
+  alive_timer_ =
+      node.createWallTimer(ros::WallDuration(kAlivePeriod), &PlannerNode::tell_alive, this);
   worker_ = std::thread([this] { plan_for_topics(); });
   subscribers_ = {node.subscribe("move_base_simple/goal", 1, &PlannerNode::take_goal, this),
                   node.subscribe("initialpose", 1, &PlannerNode::take_start, this),
@@ -116,6 +121,8 @@ void PlannerNode::show_edited_map(const ros::WallTimerEvent&) {
   if (!edited_.exchange(false)) return;
   if (const auto map = session_.view()) publisher_.show_map(map->space.map(), map->frame_id);
 }
+
+void PlannerNode::tell_alive(const ros::WallTimerEvent&) { publisher_.tell_alive(); }
 
 /// A first goal: ~goalx and ~goaly, numbers or texts of numbers; empty ones are none.
 void PlannerNode::take_goal_parameter(ros::NodeHandle& own) {
@@ -216,6 +223,7 @@ void PlannerNode::plan_to(const geometry_msgs::PoseStamped& goal, Reason reason)
   const bool quiet = reason < Reason::time;
   Answer answered = answer(map, request, {&cancel_topics_, quiet ? nullptr : &watch, !quiet});
   const PlanResult& result = answered.result;
+  if (map) publisher_.show(answered, map->view, quiet ? nullptr : &watch);
   publisher_.tell(result);
   if (!quiet) tell(result);
   const bool found = result.status == static_cast<std::uint16_t>(StatusCode::found);
@@ -241,6 +249,11 @@ wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
           .from_field = request.from_field != 0,
           .nearest = request.nearest != 0};
   if (request.goals.empty()) return refused(StatusCode::invalid_request, "there is no goal");
+  if (request.goals.size() > kMostGoals) {
+    return refused(StatusCode::invalid_request, std::to_string(request.goals.size()) +
+                                                    " goals, and at most " +
+                                                    std::to_string(kMostGoals) + " are allowed");
+  }
   const auto start =
       request.use_start ? robot_.in(map.frame_id, request.start) : robot_.in(map.frame_id);
   if (!start) return refused(StatusCode::tf_error, "start: " + start.error());
@@ -255,7 +268,9 @@ wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
 
 Answer PlannerNode::answer(const PlanRequest& request, const std::atomic<bool>* cancel,
                            SearchWatch* watch) {
-  Answer answered = answer(feed_->now(), request, {cancel, watch});
+  const Map map = feed_->now();
+  Answer answered = answer(map, request, {cancel, watch});
+  if (map) publisher_.show_queried(answered, map->view);
   tell(answered.result);
   return answered;
 }
@@ -275,7 +290,6 @@ Answer PlannerNode::answer(const Map& map, const PlanRequest& request, const Man
   answered.result.map_stamp = map->stamp;
   const auto age = std::chrono::steady_clock::now() - map->changed;
   answered.result.since_change = std::chrono::duration<double>(age).count();
-  publisher_.show(answered, view, manner.watch);
   return answered;
 }
 

@@ -1,8 +1,11 @@
 #include "wend_ros/planning.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "wend/base/thread_time.hpp"
+#include "wend/geometry/angle.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
@@ -77,7 +80,41 @@ void refine_as_asked(wend::PlanRequest& request, const Parameters& parameters) {
       {{"alpha", parameters.text("smooth_alpha")}, {"beta", parameters.text("smooth_beta")}}};
 }
 
-void put_answer(PlanResult& result, const wend::PlanAnswer& answer, const std::string& frame_id) {
+/// The goal at which a path ends: the one nearest to its end.
+const wend::MapPose& goal_of(const Ask& ask, wend::MapPoint end) {
+  return *std::ranges::min_element(
+      ask.goals, {}, [&](const wend::MapPose& goal) { return distance(goal.point(), end); });
+}
+
+/// The trajectory, and the turn in place to a heading behind it.
+nav_msgs::Path trajectory_message(const wend::Trajectory& trajectory, std::optional<double> heading,
+                                  const wend::TrajectoryLimits& limits,
+                                  const std::string& frame_id) {
+  nav_msgs::Path message = to_message(trajectory, frame_id, kTrajectoryPeriod);
+  const wend::MapPose end = trajectory.at(trajectory.duration()).pose;
+  if (!heading || wend::normalized_angle(*heading - end.heading) == 0) return message;
+  // Metres are the grid's units here.
+  const auto turn = wend::Trajectory::along(
+      wend::Path::through({{end.x, end.y, end.heading}, {end.x, end.y, *heading}}), wend::Frame{},
+      limits);
+  if (!turn) return message;
+  const ros::Duration before(trajectory.duration());
+  for (auto& stamped : to_message(*turn, frame_id, kTrajectoryPeriod).poses) {
+    if (stamped.header.stamp.isZero()) continue;  // where the trajectory ends
+    stamped.header.stamp += before;
+    message.poses.push_back(std::move(stamped));
+  }
+  return message;
+}
+
+/// Paths of cells end with the heading of the goal, which followers turn to.
+void put_heading(PlanResult& result, double heading) {
+  result.path = ending_with(heading, std::move(result.path));
+  result.smoothed = ending_with(heading, std::move(result.smoothed));
+}
+
+void put_answer(PlanResult& result, const wend::PlanAnswer& answer, const std::string& frame_id,
+                const wend::TrajectoryLimits& limits, std::optional<double> heading) {
   const wend::Frame& frame = answer.space.map().frame();
   const wend::Plan& plan = answer.plan;
   result.status_name = to_string(StatusCode::found);
@@ -88,8 +125,9 @@ void put_answer(PlanResult& result, const wend::PlanAnswer& answer, const std::s
   result.path_metrics = metrics_message(plan.path, answer.space);
   if (answer.refined) result.smoothed = to_message(answer.refined->path, frame, frame_id);
   if (answer.trajectory && answer.trajectory->duration() / kTrajectoryPeriod <= kMostStamps) {
-    result.trajectory = to_message(*answer.trajectory, frame_id, kTrajectoryPeriod);
+    result.trajectory = trajectory_message(*answer.trajectory, heading, limits, frame_id);
   }
+  if (heading) put_heading(result, *heading);
   if (answer.fault) result.reason = "the path is as planned: " + answer.fault->message;
   for (const std::string& note : answer.notes) {
     result.reason += (result.reason.empty() ? "" : "; ") + note;
@@ -165,8 +203,13 @@ Answer answer(wend::Session& session, const wend::Session::View& view, const Par
   refine_as_asked(request, parameters);
   auto answered = session.plan(view, request);
   PlanResult result;
+  std::optional<double> heading;  // to turn to at the end
+  if (answered && !ask.any_heading && is_of_cells(spec->name)) {
+    const wend::Frame& frame = view.space.map().frame();
+    heading = goal_of(ask, frame.to_metres(answered->plan.path.poses().back().point())).heading;
+  }
   if (answered) {
-    put_answer(result, *answered, view.frame_id);
+    put_answer(result, *answered, view.frame_id, limits_of(parameters), heading);
     put_metrics(result, answered->plan.metrics, answered->search_seconds);
   } else {
     const wend::RequestFailure& failed = answered.error();
@@ -178,6 +221,7 @@ Answer answer(wend::Session& session, const wend::Session::View& view, const Par
   if (!answered) return {std::move(result)};
   const wend::Frame& frame = answered->space.map().frame();
   nav_msgs::Path way = way_message(answered->plan.path, frame, view.frame_id);
+  if (heading) way = ending_with(*heading, std::move(way));
   wend::Path driven = answered->path();
   return {std::move(result), std::move(answered->plan.path), std::move(driven), std::move(way)};
 }

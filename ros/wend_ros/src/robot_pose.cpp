@@ -2,7 +2,10 @@
 
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
-#include "wend_ros/path_message.hpp"
+#include <cmath>
+
+#include "wend/control/route.hpp"
+#include "wend_ros/pose_message.hpp"
 
 namespace wend_ros {
 namespace {
@@ -14,7 +17,10 @@ std::optional<wend::MapPose> start_parameter(ros::NodeHandle& own) {
   wend::MapPose pose;
   if (!own.getParam("startx", pose.x) || !own.getParam("starty", pose.y)) return std::nullopt;
   own.getParam("startyaw", pose.heading);
-  return pose;
+  if (wend::Route::can_hold(pose.point()) && std::isfinite(pose.heading)) return pose;
+  ROS_ERROR(
+      "~startx, ~starty and ~startyaw must be finite, and no farther than 1e8 m from the origin");
+  return std::nullopt;
 }
 
 wend::Unexpected<std::string> wrong(std::string what) {
@@ -30,8 +36,8 @@ RobotPose::RobotPose(ros::NodeHandle& node, ros::NodeHandle& own)
       subscriber_(node.subscribe("initialpose", 1, &RobotPose::take, this)) {}
 
 void RobotPose::take(const geometry_msgs::PoseWithCovarianceStamped& message) {
-  if (!is_finite(message.pose.pose)) {
-    ROS_WARN("initialpose ignored: the pose contains NaN or infinity");
+  if (const auto pose = pose_from(message.pose.pose); !pose) {
+    ROS_WARN_STREAM("initialpose ignored: the pose " << pose.error());
     return;
   }
   const std::lock_guard lock(mutex_);
@@ -42,15 +48,16 @@ void RobotPose::take(const geometry_msgs::PoseWithCovarianceStamped& message) {
 
 wend::Expected<wend::MapPose, std::string> RobotPose::in(
     const std::string& frame_id, const geometry_msgs::PoseStamped& pose) const {
-  if (!is_finite(pose.pose)) return wrong("the pose contains NaN or infinity");
-  if (pose.header.frame_id.empty() || pose.header.frame_id == frame_id) {
-    return pose_from(pose.pose);
-  }
+  auto given = pose_from(pose.pose);
+  if (!given) return wrong("the pose " + given.error());
+  if (pose.header.frame_id.empty() || pose.header.frame_id == frame_id) return given;
   try {
     geometry_msgs::PoseStamped moved;
     const auto transform = buffer_.lookupTransform(frame_id, pose.header.frame_id, ros::Time(0));
     tf2::doTransform(pose, moved, transform);
-    return pose_from(moved.pose);
+    auto there = moved_pose_from(moved.pose);
+    if (!there) return wrong("the pose, taken to '" + frame_id + "', " + there.error());
+    return there;
   } catch (const tf2::TransformException& error) {
     return wrong("the frame '" + pose.header.frame_id + "' cannot be taken to '" + frame_id +
                  "': " + error.what());
@@ -63,11 +70,9 @@ wend::Expected<wend::MapPose, std::string> RobotPose::in(const std::string& fram
     const bool is_static = transform.header.stamp.isZero();
     const bool fresh = (ros::Time::now() - transform.header.stamp).toSec() < kStale;
     if (is_static || fresh) {
-      geometry_msgs::Pose pose;
-      pose.position.x = transform.transform.translation.x;
-      pose.position.y = transform.transform.translation.y;
-      pose.orientation = transform.transform.rotation;
-      return pose_from(pose);
+      auto pose = pose_from(transform.transform);
+      if (!pose) return wrong("the robot's transform " + pose.error());
+      return pose;
     }
   } catch (const tf2::TransformException&) {
     // Then it is known from elsewhere, or not at all.

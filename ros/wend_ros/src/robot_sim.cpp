@@ -24,13 +24,15 @@
 #include <string>
 #include <utility>
 
+#include "wend/base/expected.hpp"
 #include "wend/base/random.hpp"
 #include "wend/control/motion_model.hpp"
+#include "wend/control/route.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend_ros/map_sensor.hpp"
 #include "wend_ros/master_watch.hpp"
 #include "wend_ros/option_parameters.hpp"
-#include "wend_ros/path_message.hpp"
+#include "wend_ros/pose_message.hpp"
 
 namespace {
 
@@ -51,14 +53,14 @@ geometry_msgs::TransformStamped transform_of(const wend::MapPose& pose, const st
 
 class RobotSim {
  public:
-  RobotSim(ros::NodeHandle& node, ros::NodeHandle& own)
+  RobotSim(ros::NodeHandle& node, ros::NodeHandle& own, const wend::MapPose& start)
       : model_(wend_ros::options_from_parameters<wend::MotionModel>(own)),
         noise_(wend_ros::options_from_parameters<wend::SimulationOptions>(own)),
         random_(static_cast<std::uint64_t>(noise_.seed)),
         odometry_(node.advertise<nav_msgs::Odometry>("odom", 10)),
         commands_(node.subscribe("cmd_vel", 1, &RobotSim::take_command, this)),
         placings_(node.subscribe("initialpose", 1, &RobotSim::place, this)) {
-    state_.pose = {own.param("startx", 0.0), own.param("starty", 0.0), own.param("startyaw", 0.0)};
+    state_.pose = start;
     // It knows where it is on the map: odometry's frame is the map's.
     fixed_.sendTransform(transform_of({}, "map", "odom"));
     timer_ = node.createTimer(ros::Duration(1 / noise_.rate), &RobotSim::step, this);
@@ -81,15 +83,16 @@ class RobotSim {
   }
 
   void place(const geometry_msgs::PoseWithCovarianceStamped& message) {
-    if (!wend_ros::is_finite(message.pose.pose)) {
-      ROS_WARN("initialpose ignored: the pose contains NaN or infinity");
+    const auto pose = wend_ros::pose_from(message.pose.pose);
+    if (!pose) {
+      ROS_WARN_STREAM("initialpose ignored: the pose " << pose.error());
       return;
     }
     if (!message.header.frame_id.empty() && message.header.frame_id != "map") {
       ROS_WARN_STREAM("initialpose: in the frame '" << message.header.frame_id << "', not 'map'");
       return;
     }
-    state_ = {wend_ros::pose_from(message.pose.pose)};
+    state_ = {*pose};
     wanted_ = {};
   }
 
@@ -136,13 +139,13 @@ class RobotSim {
   ros::Timer sensor_timer_;
 };
 
-/// A number above 0. An invalid one is told and replaced.
-double positive(const ros::NodeHandle& own, const std::string& name, double otherwise) {
-  const double value = own.param(name, otherwise);
-  if (value > 0 && std::isfinite(value)) return value;
-  ROS_ERROR_STREAM("~" << name << " is " << value << ": a number above 0 expected; it stays "
-                       << otherwise);
-  return otherwise;
+/// Where the parameters say that it stands at first, or what is wrong with them.
+wend::Expected<wend::MapPose, std::string> start_of(const ros::NodeHandle& own) {
+  const wend::MapPose start{own.param("startx", 0.0), own.param("starty", 0.0),
+                            own.param("startyaw", 0.0)};
+  if (wend::Route::can_hold(start.point()) && std::isfinite(start.heading)) return start;
+  return wend::Unexpected<std::string>(
+      "~startx, ~starty and ~startyaw must be finite, and no farther than 1e8 m from the origin");
 }
 
 /// What is wrong with the map to discover, empty if nothing is.
@@ -152,8 +155,8 @@ std::string discover_map(RobotSim& robot, ros::NodeHandle& node, const ros::Node
   if (own.param<std::string>("map", "").empty()) return {};
   auto map = wend_ros::sensed_map_of(own);
   if (!map) return map.error();
-  robot.discover(node, *std::move(map), positive(own, "sensor_range", kRange),
-                 positive(own, "sensor_rate", kRate));
+  robot.discover(node, *std::move(map), wend_ros::positive_parameter(own, "sensor_range", kRange),
+                 wend_ros::positive_parameter(own, "sensor_rate", kRate));
   return {};
 }
 
@@ -163,7 +166,12 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "robot_sim");
   ros::NodeHandle node;
   ros::NodeHandle own("~");
-  RobotSim robot(node, own);
+  const auto start = start_of(own);
+  if (!start) {
+    ROS_FATAL_STREAM(start.error());
+    return 2;
+  }
+  RobotSim robot(node, own, *start);
   if (const std::string fault = discover_map(robot, node, own); !fault.empty()) {
     ROS_FATAL_STREAM(fault);
     return 2;

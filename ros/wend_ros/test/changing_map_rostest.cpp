@@ -62,7 +62,8 @@ ValueMap first_map() {
 }
 
 /// Publishes a map, and then changes of it at kRate: a square that is occupied or free from then on. Every
-/// 40th change comes as a whole map.
+/// 40th change comes as a whole map. Two topics have no common order: before and after a whole map it waits until the
+/// node has all that was published.
 class Changes {
  public:
   Changes(ros::Publisher maps, ros::Publisher updates)
@@ -76,8 +77,21 @@ class Changes {
     thread_ = std::thread([this] { run(); });
   }
   void stop() {
-    stopping_ = true;
+    {
+      const std::lock_guard lock(mutex_);
+      stopping_ = true;
+    }
+    seen_changed_.notify_all();
     if (thread_.joinable()) thread_.join();
+  }
+
+  /// An answer was on the map with this stamp.
+  void saw(ros::Time stamp) {
+    {
+      const std::lock_guard lock(mutex_);
+      seen_ = stamp;
+    }
+    seen_changed_.notify_all();
   }
 
   /// The map as it is, while no changes come; its stamp.
@@ -96,10 +110,11 @@ class Changes {
 
   const MapHistory& history() const { return history_; }
 
-  /// Waits for a change after this one; the number of the newest.
+  /// Waits for a change after this one, or until the thread of the changes waits for an answer; the number of the
+  /// newest.
   int wait_for_one_after(int number) {
     std::unique_lock lock(mutex_);
-    published_.wait(lock, [&] { return count_ > number; });
+    published_.wait(lock, [&] { return count_ > number || settling_; });
     return count_;
   }
 
@@ -119,6 +134,15 @@ class Changes {
 
   ros::Time next_stamp() { return stamp_ += ros::Duration(1); }
 
+  /// Waits for an answer on the map of the newest stamp.
+  void settle(ros::Time stamp) {
+    std::unique_lock lock(mutex_);
+    settling_ = true;
+    published_.notify_all();
+    seen_changed_.wait(lock, [&] { return seen_ == stamp || stopping_; });
+    settling_ = false;
+  }
+
   void change() {
     const int cells = 5 + static_cast<int>(random_() % 40);
     int x = 0;
@@ -128,12 +152,15 @@ class Changes {
       y = static_cast<int>(random_() % (kSide - cells));
     } while (is_near_a_place(x, x + cells) && is_near_a_place(y, y + cells));
     const auto value = static_cast<std::int8_t>(random_() % 3 == 0 ? 100 : 0);
+    constexpr int kWhole = 40;
+    const bool whole = count_ % kWhole == kWhole - 1;
+    if (whole) settle(stamp_);
     const SquareChange made{next_stamp(), x, y, cells, value};
     apply(made, map_);
     history_.add(made);
-    constexpr int kWhole = 40;
-    if (count_ % kWhole == kWhole - 1) {
+    if (whole) {
       publish(map_);
+      settle(stamp_);
     } else {
       publish(made);
     }
@@ -169,6 +196,9 @@ class Changes {
   MapHistory history_;
   std::mutex mutex_;
   std::condition_variable published_;
+  std::condition_variable seen_changed_;
+  ros::Time seen_;         // the stamp of the last answer
+  bool settling_ = false;  // until it is that of the newest message
   int count_ = 0;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
@@ -224,7 +254,9 @@ class ChangingMap : public testing::Test {
     while (elapsed() < seconds) {
       count_ = changes_.wait_for_one_after(count_);
       const PlanRequest asked = random_request(random_);
-      served_.check(ask(asked), asked.start.pose.position, asked.goals[0].pose.position);
+      const PlanResult result = ask(asked);
+      served_.check(result, asked.start.pose.position, asked.goals[0].pose.position);
+      changes_.saw(result.map_stamp);
       peak_ = std::max(peak_, memory_of(pid_));
     }
     cores_ = std::max(cores_, (cpu_seconds_of(pid_) - cpu_before) / elapsed());

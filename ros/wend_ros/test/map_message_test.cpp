@@ -74,6 +74,15 @@ TEST(MapMessage, ThatIsNoMapSaysWhy) {
   auto astray = message(4, 4, 1);
   astray.info.origin.position.x = not_a_number;
   EXPECT_FALSE(map_from(astray, {}));
+  auto unset = message(4, 4, 1);
+  unset.info.origin.orientation = {};
+  EXPECT_EQ(map_from(unset, {}).error().message,
+            "the map's origin has the orientation (0, 0, 0, 0), whose length is 0, not 1");
+  auto tilted = message(4, 4, 1);
+  tilted.info.origin.orientation.w = 0;
+  tilted.info.origin.orientation.x = 1;
+  EXPECT_EQ(map_from(tilted, {}).error().message,
+            "the map's origin has the orientation (1, 0, 0, 0), which is tilted by 180 degrees");
   auto absurd = message(4, 4, 1);
   absurd.info.width = absurd.info.height = 4'000'000'000U;
   EXPECT_FALSE(map_from(absurd, {}));

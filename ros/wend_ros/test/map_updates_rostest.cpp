@@ -33,15 +33,20 @@ class MapTopic {
   }
 
   ros::Time put_map(std::uint32_t side = kSide, std::int8_t value = 0) {
-    nav_msgs::OccupancyGrid grid;
-    grid.header = header();
-    grid.info.width = grid.info.height = side;
-    grid.info.resolution = 1;
-    grid.info.origin.orientation.w = 1;
-    grid.data.assign(std::size_t{side} * side, value);
+    const nav_msgs::OccupancyGrid grid = map_of(next_stamp(), side, value);
     maps_.publish(grid);
     return grid.header.stamp;
   }
+
+  /// A map of free cells but for one, with that stamp.
+  void put_map_with(ros::Time stamp, std::uint32_t x, std::uint32_t y) {
+    nav_msgs::OccupancyGrid grid = map_of(stamp, kSide, 0);
+    grid.data[y * kSide + x] = 100;
+    maps_.publish(grid);
+  }
+
+  /// Between those of the messages before and after this.
+  ros::Time next_stamp() { return stamp_ += ros::Duration(1); }
 
   /// All cells of the rectangle have that value.
   ros::Time put(int x, int y, std::uint32_t width, std::uint32_t height, int value) {
@@ -50,8 +55,13 @@ class MapTopic {
 
   ros::Time send(int x, int y, std::uint32_t width, std::uint32_t height, std::size_t values,
                  int value, const std::string& frame_id) {
+    return send_at(next_stamp(), x, y, width, height, values, value, frame_id);
+  }
+
+  ros::Time send_at(ros::Time stamp, int x, int y, std::uint32_t width, std::uint32_t height,
+                    std::size_t values, int value, const std::string& frame_id) {
     map_msgs::OccupancyGridUpdate update;
-    update.header = header();
+    update.header.stamp = stamp;
     update.header.frame_id = frame_id;
     update.x = x;
     update.y = y;
@@ -63,12 +73,15 @@ class MapTopic {
   }
 
  private:
-  std_msgs::Header header() {
-    std_msgs::Header made;
-    made.frame_id = "map";
-    stamp_ += ros::Duration(1);
-    made.stamp = stamp_;
-    return made;
+  static nav_msgs::OccupancyGrid map_of(ros::Time stamp, std::uint32_t side, std::int8_t value) {
+    nav_msgs::OccupancyGrid grid;
+    grid.header.frame_id = "map";
+    grid.header.stamp = stamp;
+    grid.info.width = grid.info.height = side;
+    grid.info.resolution = 1;
+    grid.info.origin.orientation.w = 1;
+    grid.data.assign(std::size_t{side} * side, value);
+    return grid;
   }
 
   ros::NodeHandle node_;
@@ -223,6 +236,28 @@ TEST_F(MapUpdates, AnotherMapAfterThemCounts) {
   EXPECT_EQ(plan().status_name, "no_valid_path");
   ASSERT_TRUE(wait_for(map_.put_map(kSide + 5)));
   EXPECT_NEAR(plan().cost, 17, 1e-9);
+}
+
+TEST_F(MapUpdates, AreNeverRemovedByAMapThatIsOlder) {
+  const ros::Time before = map_.next_stamp();
+  const ros::Time wall = map_.put(10, 0, 1, kSide, 100);
+  ASSERT_TRUE(wait_for(wall));
+  map_.put_map_with(before, 5, 15);
+  ASSERT_TRUE(wait_until([&] {
+    return ask(client_, request(5.5, 15.5)).status_name == "goal_blocked";
+  })) << "where nothing newer came, it counts";
+  const PlanResult result = plan();
+  EXPECT_EQ(result.status_name, "no_valid_path") << "through the wall";
+  EXPECT_EQ(result.map_stamp, wall) << "the newest message in the map";
+}
+
+TEST_F(MapUpdates, ThatAreOlderThanTheMapAreNotUsed) {
+  const ros::Time before = map_.next_stamp();
+  ASSERT_TRUE(wait_for(map_.put_map(kSide + 5)));
+  map_.send_at(before, 10, 0, 1, kSide, kSide, 100, "map");
+  const ros::Time elsewhere = map_.put(0, 19, 1, 1, 100);
+  ASSERT_TRUE(wait_for(elsewhere)) << "they come in order";
+  EXPECT_EQ(plan().status_name, "found");
 }
 
 TEST_F(MapUpdates, AreReadAnewWhenTheirMeaningChanges) {

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -221,6 +223,161 @@ TEST(OccupancyMap, RefusesAnUpdateWithoutAMap) {
   EXPECT_FALSE(map.take(layout(2, 2), Values(3, 0))) << "this is no map";
   EXPECT_TRUE(map.empty());
   EXPECT_FALSE(map.take({.width = 1, .height = 1, .values = one}));
+}
+
+/// Maps and updates of 6 x 5 cells whose values are the numbers of the messages.
+class Order : public testing::Test {
+ protected:
+  void put_map(Stamp stamp, std::int8_t value, const OccupancyLayout& at = layout(6, 5)) {
+    const auto change = map_.take(at, Values(at.size(), value), stamp);
+    ASSERT_TRUE(change);
+    keeps_newer_ = change->keeps_newer;
+    if (change->whole) {
+      edited_ = *change->whole;
+    } else {
+      apply(*edited_, change->edit);
+    }
+  }
+
+  /// False if it is not used.
+  bool put(Stamp stamp, int x, int y, std::uint32_t width, std::uint32_t height,
+           std::int8_t value) {
+    const Values values(std::size_t{width} * height, value);
+    const auto edit =
+        map_.take({.x = x, .y = y, .width = width, .height = height, .values = values}, stamp);
+    if (edit) apply(*edited_, *edit);
+    return edit.has_value();
+  }
+
+  /// The state of a cell, in the map and in the one that was edited.
+  wend::CellState at(int x, int y) {
+    EXPECT_TRUE(same(map_.whole(), *edited_));
+    return map_.whole().state({x, y});
+  }
+
+  OccupancyMap map_;
+  std::optional<wend::GridMap> edited_;
+  bool keeps_newer_ = false;
+};
+
+constexpr auto kFree = wend::CellState::free;
+constexpr auto kOccupied = wend::CellState::occupied;
+
+TEST_F(Order, AWholeMapNeverRemovesANewerUpdate) {
+  put_map(10, 0);
+  ASSERT_TRUE(put(12, 2, 1, 2, 3, 100));
+  put_map(11, 0);
+  EXPECT_TRUE(keeps_newer_);
+  EXPECT_EQ(at(2, 1), kOccupied);
+  EXPECT_EQ(at(3, 3), kOccupied);
+  EXPECT_EQ(at(4, 3), kFree);
+  EXPECT_EQ(map_.stamp(), 12);
+  put_map(11, 0);
+  EXPECT_EQ(at(2, 1), kOccupied) << "nor does it if it comes again";
+  put_map(12, 0);
+  EXPECT_FALSE(keeps_newer_);
+  EXPECT_EQ(at(2, 1), kFree) << "it is as new: the update is in it";
+}
+
+TEST_F(Order, AnOlderMapCountsWhereNoNewerUpdateWas) {
+  put_map(10, 0);
+  ASSERT_TRUE(put(12, 2, 1, 2, 3, 0));
+  put_map(11, 100);
+  EXPECT_EQ(at(2, 1), kFree);
+  EXPECT_EQ(at(1, 1), kOccupied);
+}
+
+TEST_F(Order, AnUpdateThatIsOlderThanTheMapIsNotUsed) {
+  put_map(10, 0);
+  EXPECT_FALSE(put(9, 2, 1, 2, 3, 100));
+  EXPECT_EQ(at(2, 1), kFree);
+  EXPECT_EQ(map_.stamp(), 10);
+  EXPECT_TRUE(put(10, 2, 1, 2, 3, 100)) << "this is not older";
+  EXPECT_EQ(at(2, 1), kOccupied);
+  const Values one(1, 0);
+  EXPECT_EQ(map_.take({.width = 1, .height = 1, .values = one}, 8).error().message,
+            "its stamp is 2e-09 s older than that of the map");
+}
+
+TEST_F(Order, UpdatesCountInTheOrderInWhichTheyCome) {
+  put_map(10, 0);
+  ASSERT_TRUE(put(13, 2, 1, 1, 1, 100));
+  ASSERT_TRUE(put(12, 2, 1, 1, 1, 0));
+  EXPECT_EQ(at(2, 1), kFree);
+  EXPECT_EQ(map_.stamp(), 13);
+}
+
+TEST_F(Order, MessagesWithoutAStampCountAsTheyCome) {
+  put_map(0, 0);
+  ASSERT_TRUE(put(12, 2, 1, 1, 1, 100));
+  put_map(0, 0);
+  EXPECT_EQ(at(2, 1), kFree);
+  put_map(20, 0);
+  ASSERT_TRUE(put(0, 2, 1, 1, 1, 100));
+  EXPECT_EQ(at(2, 1), kOccupied);
+  put_map(19, 0);
+  EXPECT_EQ(at(2, 1), kFree);
+}
+
+TEST_F(Order, AnOlderMapThatLiesElsewhereKeepsNewerUpdatesToo) {
+  put_map(10, 0);
+  ASSERT_TRUE(put(12, 2, 1, 1, 1, 100));
+  OccupancyLayout grown = layout(10, 9);
+  grown.frame.origin.x = -1;  // two cells
+  put_map(11, 0, grown);
+  EXPECT_EQ(at(4, 1), kOccupied);
+  put_map(11, 0);
+  EXPECT_EQ(at(2, 1), kOccupied) << "and back";
+  OccupancyLayout odom = layout(6, 5);
+  odom.frame_id = "odom";
+  put_map(11, 0, odom);
+  EXPECT_EQ(at(2, 1), kFree) << "nobody knows where that is";
+}
+
+/// Random messages in random order, against cells that each remember what came last.
+TEST_F(Order, IsThatOfTheNewestMessageOfEachCell) {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Values8 draw(seed);
+    map_ = OccupancyMap();
+    constexpr int kWidth = 6;
+    constexpr int kHeight = 5;
+    std::array<std::int8_t, kWidth * kHeight> values{};
+    std::array<Stamp, kWidth * kHeight> updated{};  // newer than the whole map; else 0
+    Stamp whole = 1 + draw.below(5);
+    put_map(whole, 0);
+    for (int step = 0; step < 30; ++step) {
+      const Stamp stamp = 1 + step / 2 + draw.below(6);
+      const auto value = static_cast<std::int8_t>(draw.below(2) * 100);
+      if (draw.below(4) == 0) {
+        whole = stamp;
+        put_map(stamp, value);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          if (updated[i] > stamp) continue;
+          values[i] = value;
+          updated[i] = 0;
+        }
+      } else {
+        const int x = draw.below(kWidth);
+        const int y = draw.below(kHeight);
+        const int columns = 1 + draw.below(kWidth - x);
+        const int rows = 1 + draw.below(kHeight - y);
+        ASSERT_EQ(put(stamp, x, y, static_cast<std::uint32_t>(columns),
+                      static_cast<std::uint32_t>(rows), value),
+                  stamp >= whole);
+        if (stamp < whole) continue;
+        for (int i = 0; i < columns * rows; ++i) {
+          const auto cell = static_cast<std::size_t>((y + i / columns) * kWidth + x + i % columns);
+          values[cell] = value;
+          updated[cell] = stamp;
+        }
+      }
+      for (int i = 0; i < kWidth * kHeight; ++i) {
+        const auto expected = values[static_cast<std::size_t>(i)] == 100 ? kOccupied : kFree;
+        ASSERT_EQ(at(i % kWidth, i / kWidth), expected) << i;
+      }
+    }
+  }
 }
 
 }  // namespace

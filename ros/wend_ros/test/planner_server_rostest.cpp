@@ -19,6 +19,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "next_message.hpp"
 #include "planner_client.hpp"
@@ -109,6 +110,38 @@ TEST_F(PlannerServer, RefusesNumbersThatAreNone) {
   EXPECT_EQ(plan(request(none, 1)).status, 202);
   EXPECT_EQ(plan(request(1, std::numeric_limits<double>::infinity())).status, 202);
   EXPECT_NE(plan(request(1e300, 1)).status, 0);
+}
+
+TEST_F(PlannerServer, RefusesOrientationsThatAreNone) {
+  const auto turned = [](double x, double z, double w) {
+    geometry_msgs::PoseStamped made = pose(3.5, 1.5);
+    made.pose.orientation.x = x;
+    made.pose.orientation.z = z;
+    made.pose.orientation.w = w;
+    return made;
+  };
+  for (const auto& wrong :
+       {turned(0, 0, 0), turned(0, 1e-300, 0), turned(1, 0, 0), turned(0, 0, 0.5)}) {
+    for (const bool is_goal : {false, true}) {
+      PlanRequest asked = request(9.5, 1.5);
+      (is_goal ? asked.goals[0] : asked.start) = wrong;
+      const PlanResult result = plan(asked);
+      EXPECT_EQ(result.status, 202);
+      const std::string begin = is_goal ? "goal: the pose has the" : "start: the pose has the";
+      EXPECT_EQ(result.reason.substr(0, begin.size()), begin) << result.reason;
+    }
+  }
+  PlanRequest nearly = request(9.5, 1.5);
+  nearly.goals = {turned(0, 0, 1.0005)};
+  EXPECT_EQ(plan(nearly).status, 0);
+}
+
+TEST_F(PlannerServer, RefusesMoreGoalsThanItCanAnswerSoon) {
+  PlanRequest many = request(9.5, 1.5);
+  many.goals.resize(100'000, many.goals[0]);
+  const PlanResult result = plan(many);
+  EXPECT_EQ(result.status, 257);
+  EXPECT_NE(result.reason.find("at most 1000"), std::string::npos) << result.reason;
 }
 
 TEST_F(PlannerServer, RefusesUnknownFramesByName) {

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 #include <wend_ros/PlanPathFeedback.h>
 
+#include <cmath>
 #include <fstream>
 #include <future>
 #include <set>
 
+#include "wend/geometry/angle.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend_ros/feedback.hpp"
 #include "wend_ros/path_message.hpp"
+#include "wend_ros/tracking.hpp"
 
 namespace wend_ros {
 namespace {
@@ -119,6 +122,46 @@ TEST(Planning, SaysWhereARobotWithAHeadingFits) {
       << refused.reason;
 }
 
+TEST(Planning, OnCellsEndsWithTheHeadingOfTheGoal) {
+  Planning planning;
+  Ask asked = ask({1.05, 1.05, 0}, {9.05, 1.05, 2});
+  const PlanResult result = planning.answer({}, asked);
+  ASSERT_EQ(result.status, 0) << result.reason;
+  ASSERT_FALSE(result.smoothed.poses.empty());
+  for (const nav_msgs::Path* path : {&result.path, &result.smoothed, &result.trajectory}) {
+    EXPECT_NEAR(pose_from(path->poses.back().pose)->heading, 2, 1e-9);
+  }
+  asked.goals[0].heading = -1;
+  const PlanResult other = planning.answer({}, asked);
+  EXPECT_EQ(other.path.poses.size(), result.path.poses.size()) << "it is turned to at the end";
+  EXPECT_NEAR(pose_from(other.path.poses.back().pose)->heading, -1, 1e-9);
+  asked.any_heading = true;
+  const PlanResult any = planning.answer({}, asked);
+  EXPECT_NEAR(std::abs(pose_from(any.path.poses.back().pose)->heading), wend::kPi / 2, 1e-9)
+      << "as the last step leads";
+}
+
+TEST(Planning, ATrajectoryThatTurnsAtItsEndKeepsToTheLimits) {
+  Planning planning;
+  const PlanResult result = planning.answer({}, ask({1.05, 1.05, 0}, {4.05, 1.05, 3}));
+  ASSERT_EQ(result.status, 0) << result.reason;
+  const auto trajectory = trajectory_from(result.trajectory);
+  ASSERT_TRUE(trajectory) << trajectory.error().message;
+  EXPECT_EQ(why_untrackable(*trajectory, {}), "");
+  const wend::MapPose end = trajectory->at(trajectory->duration()).pose;
+  EXPECT_NEAR(end.x, 4.05, 1e-9);
+  EXPECT_NEAR(end.heading, 3, 1e-9);
+}
+
+TEST(Planning, OfSeveralGoalsEndsWithTheHeadingOfTheOneThatItReaches) {
+  Planning planning;
+  Ask asked = ask({1.05, 1.05, 0}, {9.05, 1.05, 2});
+  asked.goals.push_back({3.05, 1.05, -2});
+  const PlanResult result = planning.answer({}, asked);
+  ASSERT_EQ(result.status, 0) << result.reason;
+  EXPECT_NEAR(pose_from(result.path.poses.back().pose)->heading, -2, 1e-9);
+}
+
 TEST(Planning, NamesTheNearestFreePoseAndPlansFromIt) {
   Planning planning;
   Ask blocked = ask({5.05, 1.05, 1}, {9.05, 1.05, 0});
@@ -127,7 +170,7 @@ TEST(Planning, NamesTheNearestFreePoseAndPlansFromIt) {
   ASSERT_EQ(refused.nearest_start.size(), 1U);
   EXPECT_TRUE(refused.nearest_goal.empty());
   EXPECT_NEAR(refused.nearest_start.front().position.x, 4.95, 1e-9);
-  EXPECT_NEAR(pose_from(refused.nearest_start.front()).heading, 1, 1e-9);
+  EXPECT_NEAR(pose_from(refused.nearest_start.front())->heading, 1, 1e-9);
   blocked.nearest = true;
   const PlanResult moved = planning.answer({}, blocked);
   ASSERT_EQ(moved.status, 0) << moved.reason;
@@ -308,13 +351,6 @@ TEST(Parameters, ReadMotionPrimitivesFromAFile) {
   EXPECT_EQ(parameters.primitives()->resolution(), 0.1);
   EXPECT_EQ(parameters.set("primitives", ""), "");
   EXPECT_FALSE(parameters.primitives().has_value());
-}
-
-TEST(Poses, WithoutAnOrientationHeadAlongX) {
-  EXPECT_EQ(pose_from(geometry_msgs::Pose{}).heading, 0);
-  const wend::MapPose pose{1, 2, -2.5};
-  const wend::MapPose back = pose_from(to_message(pose));
-  EXPECT_NEAR(back.heading, -2.5, 1e-12);
 }
 
 }  // namespace

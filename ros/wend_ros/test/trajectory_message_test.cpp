@@ -77,6 +77,10 @@ TEST(TrajectoryMessage, IsRefusedWhereItIsNoTrajectory) {
   wrong.poses[4].pose.orientation.w = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(fault_of(wrong), "pose 4 of the trajectory contains NaN or infinity");
   wrong = right;
+  wrong.poses[4].pose.orientation = {};
+  EXPECT_EQ(fault_of(wrong),
+            "pose 4 of the trajectory has the orientation (0, 0, 0, 0), whose length is 0, not 1");
+  wrong = right;
   wrong.poses[3].header.frame_id = "moon";
   EXPECT_EQ(fault_of(wrong), "a pose of the trajectory is in the frame 'moon', not 'map'");
   for (auto& stamped : wrong.poses) stamped.header.stamp = ros::Time();

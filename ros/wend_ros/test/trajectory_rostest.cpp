@@ -65,7 +65,7 @@ class Tracking : public testing::Test {
     odometry_ = node_.subscribe<nav_msgs::Odometry>(
         "odom", 10, [this](const nav_msgs::OdometryConstPtr& odometry) {
           const std::lock_guard lock(mutex_);
-          robot_ = pose_from(odometry->pose.pose);
+          robot_ = *pose_from(odometry->pose.pose);
           speed_ = odometry->twist.twist.linear.x;
           fastest_ = std::max(fastest_, speed_);
         });
@@ -163,13 +163,13 @@ TEST_F(Tracking, APlanByPrimitivesOfAFileHasTheHeadingsOfItsEnds) {
   const PlanResult& result = call.response.result;
   ASSERT_EQ(result.status, 0) << result.reason;
   const auto& poses = result.path.poses;
-  EXPECT_NEAR(pose_from(poses.front().pose).heading, kUp, 1e-9);
-  EXPECT_NEAR(std::abs(pose_from(poses.back().pose).heading), wend::kPi, 1e-9);
+  EXPECT_NEAR(pose_from(poses.front().pose)->heading, kUp, 1e-9);
+  EXPECT_NEAR(std::abs(pose_from(poses.back().pose)->heading), wend::kPi, 1e-9);
   EXPECT_EQ(result.moves.size() + 1, poses.size());
   EXPECT_EQ(poses.back().pose.position.x, 10.5);
   const auto& timed = result.trajectory.poses;
   ASSERT_GT(timed.size(), poses.size());
-  EXPECT_NEAR(std::abs(pose_from(timed.back().pose).heading), wend::kPi, 1e-9);
+  EXPECT_NEAR(std::abs(pose_from(timed.back().pose)->heading), wend::kPi, 1e-9);
 }
 
 TEST_F(Tracking, APlanForFollowersHasPosesOnTheArcs) {
@@ -180,10 +180,10 @@ TEST_F(Tracking, APlanForFollowersHasPosesOnTheArcs) {
   const auto& poses = call.response.plan.poses;
   ASSERT_GT(poses.size(), 2U);
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    const double turn = pose_from(poses[i].pose).heading - pose_from(poses[i - 1].pose).heading;
+    const double turn = pose_from(poses[i].pose)->heading - pose_from(poses[i - 1].pose)->heading;
     EXPECT_LT(std::abs(turn), 0.3) << "a quarter circle has more than one pose";
   }
-  EXPECT_EQ(next<nav_msgs::Path>("plan_smoothed")->poses.size(), poses.size());
+  EXPECT_EQ(next<nav_msgs::Path>("planner_server/queried_plan")->poses.size(), poses.size());
 }
 
 TEST_F(Tracking, DrivesPlansByPrimitivesToTheHeadingOfTheGoal) {

@@ -17,7 +17,7 @@ namespace {
 /// The exit code of the client with these arguments.
 int exit_code(const std::string& arguments) {
   const std::string command =
-      "rosrun wend_ros car_planner_client " + arguments + " _stay:=false __name:=another_client";
+      "rosrun wend_ros car_planner_client " + arguments + " __name:=another_client";
   return WEXITSTATUS(std::system(command.c_str()));
 }
 

@@ -49,6 +49,7 @@ class MapFeed {
     wend::Session::View view;
     ros::Time stamp;    // of the newest message in it
     TimePoint changed;  // when the newest one came that changed it
+    TimePoint heard;    // when the newest one came
   };
 
   /// Reads ~occupied_from, ~costmap, ~masks, ~map (a file) and ~frame_id. `costs`: what values below the
@@ -66,6 +67,7 @@ class MapFeed {
   void load(const ros::NodeHandle& own);
   void take_map(const nav_msgs::OccupancyGrid& message);
   void take_update(const map_msgs::OccupancyGridUpdate& message);
+  wend::Expected<OccupancyMap::Change, wend::Error> take(const nav_msgs::OccupancyGrid& message);
   std::optional<Change> put(const nav_msgs::OccupancyGrid& message);
   std::optional<Change> put(const map_msgs::OccupancyGridUpdate& message);
   std::optional<Change> put_whole(wend::GridMap map, TimePoint came);
@@ -80,8 +82,9 @@ class MapFeed {
   mutable std::mutex mutex_;  // guards the rest, and keeps a version and its stamp together
   OccupancyMap map_;          // without masks
   Masks masks_;
-  ros::Time stamp_;
   TimePoint change_time_;
+  TimePoint heard_;
+  bool told_order_ = false;  // that a map was older than updates
 
   std::vector<ros::Subscriber> subscribers_;  // last: they use the others
 };

@@ -25,8 +25,8 @@ nav_msgs::OccupancyGrid to_message(const wend::GridMap& map, const std::string& 
 map_msgs::OccupancyGridUpdate update_message(const wend::GridMap& map, const wend::CellBox& box,
                                              const std::string& frame_id);
 
-/// Where a message's grid lies. NaN and infinity stay.
-OccupancyLayout layout_of(const nav_msgs::OccupancyGrid& message);
+/// Where a message's grid lies. Fails with invalid_map for an origin that pose_from() refuses.
+wend::Expected<OccupancyLayout, wend::Error> layout_of(const nav_msgs::OccupancyGrid& message);
 
 /// A view: the message must outlive it.
 OccupancyUpdate update_of(const map_msgs::OccupancyGridUpdate& message);

@@ -18,6 +18,9 @@ namespace wend_ros {
 /// the option a choice. A list is "[a, b]". Nothing if the parameter is unset.
 std::optional<std::string> parameter_text(const ros::NodeHandle& own, const std::string& name);
 
+/// A number above 0. An invalid one is told by ROS_ERROR, and stays `otherwise`.
+double positive_parameter(const ros::NodeHandle& own, const std::string& name, double otherwise);
+
 /// The parameters that a schema names, as far as each alone is right.
 wend::OptionValues parameters_of(const ros::NodeHandle& own,
                                  const std::vector<wend::OptionInfo>& schema);

@@ -11,21 +11,14 @@
 
 #include "wend/base/error.hpp"
 #include "wend/base/expected.hpp"
+#include "wend/control/route.hpp"
 #include "wend/geometry/frame.hpp"
-#include "wend/geometry/map_pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend_ros/pose_message.hpp"
 
 namespace wend_ros {
-
-geometry_msgs::Pose to_message(const wend::MapPose& pose);
-
-/// The heading is that of the orientation about z; of one of all zeros +x.
-wend::MapPose pose_from(const geometry_msgs::Pose& message);
-
-/// Is every number of it one?
-bool is_finite(const geometry_msgs::Pose& pose);
 
 /// Of any two stamps; ros::Duration throws if they are 68 years apart, as wrong ones are.
 double seconds_between(ros::Time from, ros::Time to);
@@ -46,12 +39,20 @@ nav_msgs::Path to_message(const wend::Trajectory& trajectory, const std::string&
 /// The same with the stamps of a robot that starts at that time.
 nav_msgs::Path starting_at(ros::Time start, nav_msgs::Path trajectory);
 
+/// The path with a turn in place at its end, to a heading in the message's frame. An empty one stays empty.
+nav_msgs::Path ending_with(double heading, nav_msgs::Path path);
+
 /// The trajectory of a message from here or elsewhere, poses with time stamps; it starts with the first
-/// stamp. Fails as wend::Trajectory::through() does, and for a pose in another frame than the message.
+/// stamp. Fails as wend::Trajectory::through() does, for a pose that pose_from() refuses, and for one in another
+/// frame than the message.
 wend::Expected<wend::Trajectory, wend::Error> trajectory_from(const nav_msgs::Path& message);
 
-/// The poses of a message as a path of poses, in metres.
-wend::Path path_through(const nav_msgs::Path& message);
+/// The route of a message whose headings count, such as a trajectory's. Fails for poses as trajectory_from() does.
+wend::Expected<wend::Route, wend::Error> route_through(const nav_msgs::Path& message);
+
+/// The route of a message from here or elsewhere: wend::given_route() says whether its headings count. If no
+/// orientation is set, all being zeros, it has no headings. Fails for poses as trajectory_from() does, and without any.
+wend::Expected<wend::Route, wend::Error> route_from(const nav_msgs::Path& message);
 
 geometry_msgs::PoseArray poses_of(const nav_msgs::Path& path);
 

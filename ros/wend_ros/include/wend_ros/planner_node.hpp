@@ -1,7 +1,8 @@
 #pragma once
 
-// PlannerNode: the planners as services, an action and topics. Maps come in by /map and /map_updates; goals by
-// rviz's tools, services and actions; every plan goes out by /plan and what shows it.
+// PlannerNode: the planners as services, an action and topics. Maps come in by /map and /map_updates, goals by rviz's
+// tools, questions by services and the action. A plan to a goal goes out by /plan and its like, which followers
+// drive; the answer to a question moves nothing, and is shown by ~queried_plan.
 //
 // Planning runs in threads of its own: one for goals that come by topics, one for the action's, and
 // those of the services' spinner. A new goal by topic stops the search for the one before. With the
@@ -59,6 +60,7 @@ class PlannerNode {
   void take_parameters(const Parameters& parameters);
   void take_change(const MapFeed::Change& change);
   void show_edited_map(const ros::WallTimerEvent& event);
+  void tell_alive(const ros::WallTimerEvent& event);
   void take_goal_parameter(ros::NodeHandle& own);
   void take_goal(const geometry_msgs::PoseStamped& goal);
   void cancel(const std_msgs::Empty& message);
@@ -74,9 +76,8 @@ class PlannerNode {
     bool explain = true;
   };
 
-  /// Plans and publishes.
   Answer answer(const Map& map, const PlanRequest& request, const Manner& manner);
-  /// The same on the map of now, and tells the log.
+  /// Answers a question on the map of now, shows the answer, and tells the log.
   Answer answer(const PlanRequest& request, const std::atomic<bool>* cancel, SearchWatch* watch);
   /// The request in the map's frame, or why it cannot be.
   wend::Expected<Ask, PlanResult> ask_of(const PlanRequest& request,
@@ -96,6 +97,7 @@ class PlannerNode {
   std::unique_ptr<MapFeed> feed_;
   std::atomic<bool> edited_{false};  // since the map was shown
   ros::WallTimer show_timer_;
+  ros::WallTimer alive_timer_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> servers_;
 

@@ -22,10 +22,10 @@ namespace wend_ros {
 struct Ask {
   wend::MapPose start;
   std::vector<wend::MapPose> goals;
-  bool any_heading = false;
-  std::string planner;    // "astar:weight=2"; empty: the parameter's
-  std::string options;    // "heuristic=euclidean"
-  double time_limit = 0;  // s; 0: the parameter's
+  bool any_heading = false;  // else the published paths end with the heading of the goal
+  std::string planner;       // "astar:weight=2"; empty: the parameter's
+  std::string options;       // "heuristic=euclidean"
+  double time_limit = 0;     // s; 0: the parameter's
   bool from_field = false;
   bool nearest = false;  // moves blocked ends to the nearest free cells
   bool explain = true;   // why there is no path, at length, which may take longer than the search
