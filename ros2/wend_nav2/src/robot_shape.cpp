@@ -29,10 +29,8 @@ wend::Expected<wend::Footprint, wend::Error> footprint_from(
   return round ? wend::Footprint::disc(radius) : footprint;
 }
 
-ObstacleRule rule_for(ObstacleRule rule, const RobotShape& robot) {
-  if (rule != ObstacleRule::automatic) return rule;
-  const bool round = robot.footprint.outline() == nullptr;
-  return round && robot.inflated ? ObstacleRule::inscribed : ObstacleRule::footprint;
+ObstacleRule rule_for(ObstacleRule rule) {
+  return rule == ObstacleRule::automatic ? ObstacleRule::footprint : rule;
 }
 
 wend::CostmapScale scale_for(ObstacleRule rule, double cost_factor) {
