@@ -79,11 +79,11 @@ std::vector<std::string> controller_names() {
 }
 
 void DriveArguments::add_to(Parser& app) {
-  app.add_option(
-         "--controller", controller_,
-         wrapped(
-             "Controller (default pure_pursuit); options may follow, as in pid:heading_gain=3. " +
-             summaries()))
+  app.add_option("--controller", controller_,
+                 wrapped("Controller (default pure_pursuit, stanley for a path of poses); options "
+                         "may follow, as "
+                         "in pid:heading_gain=3. " +
+                         summaries()))
       .type_name(kControllerType);
   const auto compare = [this](const std::string& text) { compared_ = text; };
   app.add_option("--compare", compare,
@@ -133,7 +133,9 @@ TrajectoryLimits DriveArguments::trajectory_limits() const {
   if (const auto given = controller_options_.given("lateral_acceleration")) {
     values.emplace_back("lateral_acceleration", *given);
   }
-  for (const OptionSpec& spec : parse_controllers(compared_.value_or(controller_))) {
+  const std::string names = compared_.value_or(controller_);
+  const auto specs = names.empty() ? std::vector<OptionSpec>() : parse_controllers(names);
+  for (const OptionSpec& spec : specs) {
     if (spec.name != kTracker) continue;
     values.insert(values.end(), spec.options.begin(), spec.options.end());
   }
@@ -144,7 +146,13 @@ TrajectoryLimits DriveArguments::trajectory_limits() const {
           .lateral_acceleration = parsed<TrackerOptions>(values).lateral_acceleration};
 }
 
-std::vector<ChosenController> DriveArguments::controllers(const MotionModel& robot) const {
+void DriveArguments::check_controllers(const MotionModel& robot) const {
+  if (controller_.empty() && !compared_) return;
+  controllers(robot, Path());
+}
+
+std::vector<ChosenController> DriveArguments::controllers(const MotionModel& robot,
+                                                          const Path& path) const {
   std::vector<OptionSpec> specs;
   if (compared_) {
     specs = compared_->empty() ? all_for(robot) : parse_controllers(*compared_);
@@ -154,7 +162,8 @@ std::vector<ChosenController> DriveArguments::controllers(const MotionModel& rob
       }
     }
   } else {
-    specs = parse_controllers(controller_);
+    const std::string name(default_controller(path));
+    specs = parse_controllers(controller_.empty() ? name : controller_);
     if (specs.size() > 1) {
       throw InputError(fmt::format(
           "--controller {}: --controller takes exactly one controller; --compare takes several",

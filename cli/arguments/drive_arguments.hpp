@@ -39,14 +39,17 @@ class DriveArguments {
   /// The robot's limits, and --lateral-acceleration.
   TrajectoryLimits trajectory_limits() const;
 
-  /// One or more controllers. Throws InputError for one that does not exist or that the robot cannot
-  /// follow.
-  std::vector<ChosenController> controllers(const MotionModel& robot) const;
+  /// One or more controllers; the one that suits the path if none was asked for. Throws InputError for one that
+  /// does not exist or that the robot cannot follow.
+  std::vector<ChosenController> controllers(const MotionModel& robot, const Path& path) const;
+
+  /// Throws InputError as controllers() does, before there is a path.
+  void check_controllers(const MotionModel& robot) const;
 
   bool compares() const { return compared_.has_value(); }
 
  private:
-  std::string controller_ = "pure_pursuit";
+  std::string controller_;               // empty: the default for the path
   std::optional<std::string> compared_;  // as typed; empty: all that fit the robot
   std::optional<double> noise_;
   OptionFlags controller_options_{"controller"};

@@ -13,6 +13,7 @@
 #include "cli/commands/follow_run.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::cli {
 namespace {
@@ -36,6 +37,11 @@ Units are metres, radians and seconds; on maps without a resolution
 planned path is red, the smoothed path green, the trajectory blue. Exit codes: 0
 at least one controller reached the goal, 1 none did (standard error gives the
 reason), 2 bad usage or input.)";
+
+/// Options of planners whose flags are others here: of a smoother too, and of the noise.
+bool has_flag_of_its_own(const OptionInfo& option) {
+  return option.name == "turning_radius" || option.name == "seed";
+}
 
 void check(const FollowArguments& arguments) {
   arguments.output.check();
@@ -91,6 +97,9 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   if (!arguments.refine.any()) {
     refuse_idle(follow, {"--margin", "--planner"}, "the path of --path is followed unchanged");
   }
+  if (!planner_of(arguments).options.empty()) {
+    throw InputError("options of planners change nothing: with --path no path is planned");
+  }
 }
 
 /// For a robot that is larger by the margin: its shape for planners that choose headings, and for others the disc
@@ -100,7 +109,7 @@ FreeSpace planning_space(const FollowArguments& arguments, const FreeSpace& spac
   MapArguments larger = arguments.map;
   const double per_unit = larger.coordinates(map).in_metres(1);
   const double margin = arguments.margin.value_or(kMargin / per_unit);
-  const bool headings = info_of(parse_planner(arguments.planner)).capabilities.headings;
+  const bool headings = info_of(planner_of(arguments)).capabilities.headings;
   larger.footprint = headings && arguments.path.empty()
                          ? larger.footprint.grown(margin)
                          : Footprint::disc(larger.footprint.circumscribed_radius() + margin);
@@ -178,6 +187,12 @@ Command add_follow(Parser& app) {
       "the trajectory (JSON with --format json, else CSV)");
   arguments->trajectory.add_file_to(follow);
   arguments->drive.add_to(follow);
+  for (const PlannerInfo& planner : planners()) {
+    std::vector<OptionInfo> options = planner.options;
+    std::erase_if(options, has_flag_of_its_own);
+    arguments->options.collect(planner.name, options);
+  }
+  arguments->options.add_to(follow);
   follow.footer(kFollowExamples);
   return {follow, [follow, arguments] {
             check_idle(follow, *arguments);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "bench/plot/drive_plot.hpp"
@@ -13,6 +14,7 @@
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
 #include "cli/watching/films.hpp"
+#include "wend/base/parse.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/control/trajectory_tracker.hpp"
 #include "wend/io/path/path_csv.hpp"
@@ -40,37 +42,86 @@ std::string caption_of(const Drive& drive) {
                      drive.cross_track_largest);
 }
 
-PlannerSpec steered(const FollowArguments& arguments, const Coordinates& coordinates) {
-  PlannerSpec planner = parse_planner(arguments.planner);
-  arguments.refine.steer(planner, coordinates);
-  return planner;
+constexpr const char* kTurningRadius = "turning_radius";
+
+/// A controller needs a little of what the wheels can steer for itself: in whole centimetres.
+double planned_radius(double turning_radius) {
+  constexpr double kMore = 1.05;
+  return std::ceil(turning_radius * kMore * 100) / 100;
 }
 
 }  // namespace
+
+PlannerSpec planner_of(const FollowArguments& arguments) {
+  PlannerSpec planner = parse_planner(arguments.planner);
+  const OptionValues flags = arguments.options.values_for(planner.name);
+  planner.options.insert(planner.options.end(), flags.begin(), flags.end());
+  return planner;
+}
 
 FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpace planning_space)
     : arguments_(arguments),
       space_(std::move(space)),
       planning_space_(std::move(planning_space)),
       coordinates_(arguments.map.coordinates(space_.map())),
-      planner_(steered(arguments, coordinates_)),
-      refinement_(arguments.refine.refinement(coordinates_)),
       robot_(arguments.drive.robot()),
+      planner_(steered()),
+      refinement_(arguments.refine.refinement(coordinates_)),
       simulation_(arguments.drive.simulation(arguments.loop)),
-      following_(arguments.drive.following()),
-      controllers_(arguments.drive.controllers(robot_)) {}
+      following_(arguments.drive.following()) {
+  arguments.drive.check_controllers(robot_);  // wrong ones are refused before the search
+}
+
+/// With the turning radius that was asked for, else one that the robot can steer.
+PlannerSpec FollowRun::steered() const {
+  PlannerSpec planner = planner_of(arguments_);
+  arguments_.refine.steer(planner, coordinates_);
+  const bool given = std::ranges::any_of(
+      planner.options, [](const auto& option) { return option.first == kTurningRadius; });
+  const bool steers = robot_.turning_radius() > 0 && arguments_.path.empty();
+  if (given || !steers || !has_option(info_of(planner).options, kTurningRadius)) return planner;
+  const double radius = planned_radius(robot_.turning_radius());
+  planner.options.emplace_back(kTurningRadius, format_number(radius));
+  complain(
+      fmt::format("the planner's turning radius is {:.3g} m, as the bicycle needs {:.3g} m; "
+                  "--turning-radius sets "
+                  "another one",
+                  radius, robot_.turning_radius()));
+  return planner;
+}
 
 bool FollowRun::find_path() {
   std::optional<Path> path = arguments_.path.empty() ? plan() : loaded();
   if (!path) return false;
-  if (const auto aside = first_step_aside(*path)) {
+  check_drivable(*path);
+  path_ = refine(*path, planning_space_, refinement_, arguments_.refine.rounding(coordinates_));
+  controllers_ = arguments_.drive.controllers(robot_, path_.refined.path);
+  return true;
+}
+
+/// Throws InputError for what simulate() would refuse, in the map's units and with what to do.
+void FollowRun::check_drivable(const Path& path) const {
+  if (const auto aside = first_step_aside(path)) {
     throw InputError(fmt::format(
         "the path steps to a side of the robot at {}, which a robot on wheels cannot drive: plan "
         "with motion primitives that only lead ahead, back or around",
         coordinates_.text(aside->point())));
   }
-  path_ = refine(*path, planning_space_, refinement_, arguments_.refine.rounding(coordinates_));
-  return true;
+  if (robot_.turning_radius() == 0) return;
+  if (const auto turn = first_turn_in_place(path)) {
+    throw InputError(
+        fmt::format("the path turns in place at {}, which a bicycle cannot do: plan it with "
+                    "--planner hybrid_astar --motion-model reeds_shepp",
+                    coordinates_.text(turn->point())));
+  }
+  const double radius = robot_.turning_radius() / space_.map().frame().resolution;
+  if (const auto bend = first_bend_tighter_than(radius, path)) {
+    throw InputError(fmt::format(
+        "the path bends at {} tighter than the bicycle can steer: plan it with "
+        "--turning-radius {} or more, or change --wheelbase and --steering-limit",
+        coordinates_.text(bend->point()),
+        format_number(planned_radius(robot_.turning_radius()) / coordinates_.in_metres(1))));
+  }
 }
 
 /// If the path's file says that there is no path, the written files say so too.
@@ -157,6 +208,7 @@ void FollowRun::drive() {
     Drive driven = chosen.controller ? simulate(space_, path_.refined.path, *chosen.controller,
                                                 robot_, simulation_, following_)
                                      : tracked(chosen.gains);
+    if (driven.outcome == DriveOutcome::refused) throw InputError(driven.refusal);
     drives_.push_back({chosen.text, std::move(driven)});
   }
 }

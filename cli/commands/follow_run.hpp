@@ -9,6 +9,7 @@
 #include "cli/arguments/drive_arguments.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/map_arguments.hpp"
+#include "cli/arguments/option_flags.hpp"
 #include "cli/arguments/refine_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
 #include "cli/arguments/trajectory_arguments.hpp"
@@ -26,6 +27,7 @@ struct FollowArguments {
   MapArguments map;
   EndArguments ends;  // empty where a path is read
   std::string planner = "astar";
+  OptionFlags options{"planner"};
   bool nearest = false;
   std::string path;
   bool loop = false;
@@ -42,6 +44,9 @@ struct FollowArguments {
   OutputFiles output;
 };
 
+/// The planner and its options, flags included. Throws InputError for options that it does not have.
+PlannerSpec planner_of(const FollowArguments& arguments);
+
 class FollowRun {
  public:
   /// The free space of the robot, and that for planning with a margin around it. Throws InputError for
@@ -57,7 +62,9 @@ class FollowRun {
   ExitCode report() const;
 
  private:
+  PlannerSpec steered() const;
   std::optional<Path> plan();
+  void check_drivable(const Path& path) const;
   SampledTrajectory timed_path() const;
   Drive tracked(const TrackingGains& gains) const;
   Path loaded() const;
@@ -72,9 +79,9 @@ class FollowRun {
   FreeSpace space_;
   FreeSpace planning_space_;
   Coordinates coordinates_;
+  MotionModel robot_;
   PlannerSpec planner_;
   Refinement refinement_;
-  MotionModel robot_;
   SimulationOptions simulation_;
   FollowerOptions following_;
   std::vector<ChosenController> controllers_;

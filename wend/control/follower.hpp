@@ -12,9 +12,12 @@
 // Metres, radians, seconds, in the map's frame.
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 
 #include "wend/base/compiler.hpp"
 #include "wend/control/controller.hpp"
+#include "wend/control/joining.hpp"
 #include "wend/control/route.hpp"
 
 namespace wend {
@@ -51,10 +54,10 @@ struct FollowerOptions {
 /// How a robot's drive along a route stands.
 enum class FollowerState {
   driving,   // on its way
-  reached,   // stands within the tolerances of the route's end
-  stuck,     // no progress for stuck_time; a robot that cannot turn stands in the wrong heading
+  reached,   // stands within the tolerances of the route's end, as far as its poses tell
+  stuck,     // no progress for stuck_time, or it stands at the end outside the tolerances for good
   off_path,  // too far from the route
-  invalid,   // the route is not valid(), or the controller's command is not finite
+  invalid,  // the route is not valid(), or a limit, a period or the controller's command is not finite
 };
 
 /// The answer to one pose: what the robot is to do, and how it stands.
@@ -64,6 +67,7 @@ struct FollowerStep {
   double heading_error = 0;  // rad, in (-pi, pi]: to the route's heading at the robot, averaged
                              // over the heading window (Polyline::heading_at)
   double cross_track = 0;    // m, to the route, unsigned
+  bool lost = false;         // the pose is not finite: it brakes until one is
 };
 
 /// Drives a robot along a route. Every run ends, whatever the controller does: progress is 0.05 m along
@@ -75,14 +79,16 @@ class WEND_API Follower {
   explicit Follower(Controller& controller, VelocityLimits limits = {},
                     FollowerOptions options = {});
 
-  /// Begins a new route, also while driving. The robot continues from the nearest point of the
-  /// route's beginning, which is off_path plus the length of a second's drive.
-  void follow(Route route);
+  /// Begins a new route, also while driving. The robot joins it at place_to_join() within off_path, of what
+  /// `can_reach` lets it reach; where there is no such place, at its start. The route that it is driving changes
+  /// nothing, and a new one does not give a robot that makes no progress more time.
+  void follow(Route route, FreeLine can_reach = {});
 
-  /// The next command, from the measured pose, `seconds` (> 0) after the last one. It is within the
-  /// limits. Before follow() the state is reached. If the pose is not finite, the robot brakes. In
-  /// every state other than driving it also brakes, and the state stays. O(lines of the route that
-  /// the robot can reach within a second); allocates only what a controller needs for a new route.
+  /// The next command, from the measured pose, `seconds` (> 0) after the last one. It is within the limits.
+  /// Before follow() the state is reached. At the route's end, a robot that overshoots drives back. If the pose
+  /// is not finite, the robot brakes. In every state other than driving it also brakes, and the state stays.
+  /// O(lines of the route that the robot can reach within a second; all at the first step of a route);
+  /// allocates at that step, and where a robot drives back.
   FollowerStep step(const MapPose& pose, double seconds);
 
   /// Other limits, from the next command on, also while driving. The controller begins the rest of the
@@ -92,27 +98,34 @@ class WEND_API Follower {
   const VelocityLimits& limits() const { return limits_; }
 
   /// The robot's velocity, if it is not the one that step() commanded last: the next command is within
-  /// reach of it.
-  void set_velocity(const Velocity& velocity) { velocity_ = velocity; }
+  /// reach of it. One that is not finite counts as standing.
+  void set_velocity(const Velocity& velocity);
 
   /// The robot's progress along the route, m.
-  double along() const { return behind_ + along_; }
+  double along() const { return behind_ + along_leg(); }
 
   /// The index of the current leg of the route.
   std::size_t leg() const { return leg_; }
   /// The progress along the current leg, m.
-  double along_leg() const { return along_; }
+  double along_leg() const { return way_to_end_ ? leg_of_route().line.length() : along_; }
 
  private:
-  const RouteLeg& current_leg() const { return route_.legs()[leg_]; }
+  const RouteLeg& leg_of_route() const { return route_.legs()[leg_]; }
+  const RouteLeg& current_leg() const { return way_to_end_ ? *way_to_end_ : leg_of_route(); }
   bool is_last_leg() const { return leg_ + 1 == route_.legs().size(); }
+  double gap_to_end(const MapPose& pose) const;
 
+  void join(const MapPose& pose);
   void begin_leg(std::size_t leg);
+  void drive_to_end(const MapPose& pose, bool may_reverse);
   FollowerStep brake(double seconds);
   void locate(const MapPose& shown);
   bool is_at_end_of_leg(const MapPose& pose);
+  void drive(const MapPose& pose, const MapPose& shown, double seconds);
   Velocity ask_controller(const MapPose& shown, double turn, double seconds);
+  void begin_to_arrive(const MapPose& pose);
   void arrive(const MapPose& pose, double seconds);
+  bool stands(const MapPose& pose, double seconds);
   void watch_progress(double headway, double heading_error, double seconds);
 
   Controller* controller_;
@@ -122,16 +135,27 @@ class WEND_API Follower {
 
   FollowerState state_ = FollowerState::reached;
   Velocity velocity_{};  // as last commanded
+  bool joins_ = false;   // at the next pose
+  FreeLine can_reach_;
   std::size_t leg_ = 0;
-  double behind_ = 0;  // the legs that are done
-  double along_ = 0;   // of this leg
+  std::optional<RouteLeg>
+      way_to_end_;  // in place of the last leg, for a robot that stands beside its end
+  int ways_to_end_ = 0;
+  double cautious_speed_ = std::numeric_limits<double>::infinity();  // m/s, on that way
+  double behind_ = 0;                                                // the legs that are done
+  double along_ = 0;                                                 // of this leg
   double cross_track_ = 0;
   std::size_t waypoint_ = 0;
   bool turns_ = false;      // in place, before it drives along the leg
   double nearest_end_ = 0;  // m, how near it came to the leg's end
   bool arrives_ = false;    // within the goal's tolerance: only brakes and turns from now on
+  bool turns_at_end_ = false;
 
-  double best_headway_ = 0;
+  std::optional<MapPose> seen_;  // at the last step that drove
+  MapPose seen_then_;            // some time ago
+  double waited_ = 0;            // s since then, told to stand
+
+  double best_headway_ = 0;  // minus infinity: not known yet
   double least_heading_error_ = 0;
   double idle_ = 0;  // s since the last progress
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/random.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/geometry/angle.hpp"
 
@@ -386,6 +387,192 @@ TEST(Follower, BrakesInTimeForTheGoal) {
   robot.follower.follow(route_through({{0, 0}, {30, 0}}));
   EXPECT_EQ(robot.run(), FollowerState::reached);
   EXPECT_NEAR(robot.state.pose.x, 30, 0.1);
+}
+
+/// Drives from there to the end, and says how far it came.
+double driven_by(TestRobot& robot) {
+  double driven = 0;
+  while (robot.step().state == FollowerState::driving) {
+    driven += std::abs(robot.state.velocity.linear) * kPeriod;
+  }
+  return driven;
+}
+
+TEST(Follower, JoinsARouteInItsMiddle) {
+  for (const std::string& name : controllers().names()) {
+    SCOPED_TRACE(name);
+    const auto controller = made_controller(name);
+    TestRobot robot{Follower(*controller)};
+    robot.state.pose = {6, 0.05, 0};
+    robot.follower.follow(route_through({{0, 0}, {10, 0}}));
+    EXPECT_NEAR(driven_by(robot), 4, 0.2);
+    EXPECT_EQ(robot.step().state, FollowerState::reached);
+
+    TestRobot parking{Follower(*controller)};
+    parking.state.pose = {1, 1.5, -kPi / 2};
+    const Route route = forth_and_back();
+    parking.follower.follow(route);
+    EXPECT_NEAR(driven_by(parking), 1.5, 0.2);
+    EXPECT_EQ(parking.step().state, FollowerState::reached);
+    EXPECT_NEAR(parking.follower.along(), route.length(), 0.1);
+  }
+}
+
+TEST(Follower, JoinsWhereItCanReachTheRoute) {
+  Stubborn controller({0.5, 0});
+  Follower follower(controller);
+  const FreeLine below = [](const MapPose&, MapPoint to) { return to.y < 0.3; };
+  follower.follow(route_through({{0, 0.5}, {0, 0}, {9, 0}, {9, 0.5}, {0, 0.5}}), below);
+  follower.step({4, 0.4, 0}, kPeriod);
+  EXPECT_NEAR(follower.along(), 4.5, 1e-9);
+}
+
+TEST(Follower, TheSameRouteAgainChangesNothing) {
+  Stubborn controller({0.5, 0});
+  TestRobot robot{Follower(controller)};
+  const Route route = route_through({{0, 0}, {3, 0}, {0, 0}});
+  robot.follower.follow(route);
+  for (int i = 0; i < 60; ++i) robot.step();
+  const int begun = controller.begun;
+  const double along = robot.follower.along();
+  const Velocity velocity = robot.state.velocity;
+  robot.follower.follow(route);
+  robot.step();
+  EXPECT_EQ(controller.begun, begun);
+  EXPECT_GT(robot.follower.along(), along);
+  EXPECT_EQ(robot.state.velocity, velocity);
+}
+
+TEST(Follower, IsStuckThoughPathsComeAgain) {
+  for (const double shift : {0.0, 0.01}) {
+    Stubborn controller({0, 0});
+    Follower follower(controller, {}, {.stuck_time = 3});
+    FollowerState state = FollowerState::driving;
+    double time = 0;
+    for (; state == FollowerState::driving && time < 20; time += kPeriod) {
+      const int second = static_cast<int>(time);
+      follower.follow(route_through({{0, 0}, {9, shift * second}}));
+      state = follower.step({0, 0, 0}, kPeriod).state;
+    }
+    EXPECT_EQ(state, FollowerState::stuck);
+    EXPECT_NEAR(time, 3, 0.3);
+  }
+}
+
+TEST(Follower, TurnsToTheHeadingOfTheGoalByDefault) {
+  for (const std::string& name : controllers().names()) {
+    SCOPED_TRACE(name);
+    for (const double heading : {0.3, 2.0, -3.0}) {
+      const auto controller = made_controller(name);
+      TestRobot robot{Follower(*controller)};
+      robot.follower.follow(Route(Path::through({{0, 0, 0}, {2, 0, 0}, {2, 0, heading}}), {}));
+      EXPECT_EQ(robot.run(), FollowerState::reached);
+      EXPECT_NEAR(normalized_angle(robot.state.pose.heading - heading), 0, 0.1);
+      TestRobot any{Follower(*controller, {}, {.heading_tolerance = 0})};
+      any.follower.follow(Route(Path::through({{0, 0, 0}, {2, 0, 0}, {2, 0, heading}}), {}));
+      EXPECT_EQ(any.run(), FollowerState::reached);
+      EXPECT_NEAR(any.state.pose.heading, 0, 0.1) << "any heading";
+    }
+  }
+}
+
+TEST(Follower, DrivesToASinglePoseAtItsSpeed) {
+  for (const std::string& name : controllers().names()) {
+    SCOPED_TRACE(name);
+    for (const double heading : {0.0, 1.0, kPi}) {
+      const auto controller = made_controller(name);
+      TestRobot robot{Follower(*controller)};
+      robot.state.pose = {0, 0, heading};
+      robot.follower.follow(Route(Path::through({{0.6, 0, 0}, {0.6, 0, 0}}), {}));
+      EXPECT_EQ(robot.run(), FollowerState::reached);
+      EXPECT_LE(distance(robot.state.pose.point(), {0.6, 0}), 0.1);
+      EXPECT_NEAR(normalized_angle(robot.state.pose.heading), 0, 0.1);
+      EXPECT_LT(robot.time, 8);
+    }
+  }
+}
+
+/// Commands reach the wheels late: it passes the end, and comes back.
+TEST(Follower, ComesBackToAnEndThatItHasPassed) {
+  for (const std::string& name : controllers().names()) {
+    for (const bool reverse : {false, true}) {
+      SCOPED_TRACE(name + (reverse ? " in reverse" : ""));
+      const auto controller = made_controller(name);
+      const VelocityLimits fast{.speed = 2};
+      Follower follower(*controller, fast, {.goal_tolerance = 0.05});
+      const std::vector<Pose> ahead{{0, 0, 0}, {6, 0, 0}};
+      follower.follow(
+          Route(Path::through(reverse ? std::vector<Pose>{{6, 0, 0}, {0, 0, 0}} : ahead), {}));
+      RobotState state{{reverse ? 6.0 : 0.0, 0, 0}};
+      std::vector<Velocity> on_the_way(6);
+      FollowerState now = FollowerState::driving;
+      for (int i = 0; i < 4000 && now == FollowerState::driving; ++i) {
+        const FollowerStep step = follower.step(state.pose, kPeriod);
+        now = step.state;
+        on_the_way.push_back(step.command);
+        state = drive({.limits = fast}, state, on_the_way.front(), kPeriod).to;
+        on_the_way.erase(on_the_way.begin());
+      }
+      EXPECT_EQ(now, FollowerState::reached);
+      EXPECT_EQ(state.velocity, Velocity{});
+      EXPECT_LE(distance(state.pose.point(), {reverse ? 0.0 : 6.0, 0}), 0.05);
+    }
+  }
+}
+
+TEST(Follower, RefusesWhatIsNotFinite) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  Stubborn wild({kNan, 0});
+  TestRobot robot{Follower(wild)};
+  robot.follower.follow(route_through({{0, 0}, {9, 0}}));
+  EXPECT_EQ(robot.run(), FollowerState::invalid);
+  EXPECT_EQ(robot.state.velocity, Velocity{});
+
+  Stubborn controller({0.5, 0});
+  Follower follower(controller);
+  follower.follow(route_through({{0, 0}, {kNan, 0}}));
+  EXPECT_EQ(follower.step({0, 0, 0}, kPeriod).state, FollowerState::invalid);
+  follower.follow(route_through({{0, 0}, {9, 0}}));
+  EXPECT_EQ(follower.step({0, 0, 0}, kPeriod).state, FollowerState::driving) << "a valid one helps";
+  EXPECT_TRUE(follower.step({kNan, 0, 0}, kPeriod).lost);
+  EXPECT_FALSE(follower.step({0, 0, 0}, kPeriod).lost);
+  follower.set_velocity({kNan, kNan});
+  EXPECT_TRUE(std::isfinite(follower.step({0, 0, 0}, kPeriod).command.linear));
+  EXPECT_EQ(follower.step({0, 0, 0}, kNan).state, FollowerState::invalid);
+  Follower limitless(controller, {.speed = kNan});
+  limitless.follow(route_through({{0, 0}, {9, 0}}));
+  const FollowerStep step = limitless.step({0, 0, 0}, kPeriod);
+  EXPECT_EQ(step.state, FollowerState::invalid);
+  EXPECT_EQ(step.command, Velocity{});
+}
+
+TEST(Follower, ItsControllersAnswerFiniteCommands) {
+  Random random(11);
+  for (const std::string& name : controllers().names()) {
+    SCOPED_TRACE(name);
+    const auto controller = made_controller(name);
+    for (int round = 0; round < 300; ++round) {
+      std::vector<Pose> poses{{0, 0, 0}};
+      for (int i = 0; i < 5; ++i) {
+        Pose next = poses.back();
+        const double size = std::pow(10.0, -17 * random.uniform());
+        if (random.chance(0.7)) next.x += size * (random.uniform() - 0.5);
+        if (random.chance(0.7)) next.y += size * (random.uniform() - 0.5);
+        if (random.chance(0.5)) next.heading += size * (random.uniform() - 0.5);
+        poses.push_back(next);
+      }
+      Follower follower(*controller);
+      follower.follow(Route(Path::through(poses), {}));
+      for (int i = 0; i < 20; ++i) {
+        const Pose& near = poses[random.below(poses.size())];
+        const double off = std::pow(10.0, -17 * random.uniform());
+        const FollowerStep step =
+            follower.step({near.x + off, near.y - off, near.heading + off}, kPeriod);
+        ASSERT_NE(step.state, FollowerState::invalid);
+        ASSERT_TRUE(std::isfinite(step.command.linear) && std::isfinite(step.command.angular));
+      }
+    }
+  }
 }
 
 }  // namespace

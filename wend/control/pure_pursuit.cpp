@@ -61,7 +61,8 @@ class PurePursuitController final : public Controller {
     }
     // The circle through the target that is tangent to the heading.
     const double chord = distance(pose.point(), target);
-    const double curvature = chord > 0 ? 2 * sine_and_cosine(turn).sine / chord : 0;
+    constexpr double kOnTarget = 1e-6;  // m: nearer, its direction is rounding
+    const double curvature = chord > kOnTarget ? 2 * sine_and_cosine(turn).sine / chord : 0;
     const double speed = speed_on(curvature, input);
     return {speed, speed * curvature};
   }

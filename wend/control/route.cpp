@@ -148,6 +148,28 @@ std::optional<Pose> first_step_aside(const Path& path) {
   return std::nullopt;
 }
 
+std::optional<Pose> first_turn_in_place(const Path& path) {
+  std::optional<Segment> before;
+  for (std::size_t i = 0; i + 1 < path.driven_poses().size(); ++i) {
+    const Segment segment = JoinedPoses(path.driven_poses()).segment(i);
+    const bool turns = segment.length == 0 && std::abs(segment.turn) > kNoTurn;
+    if (turns || (before && segment.length != 0 && jumps_between(*before, segment))) {
+      return segment.from;
+    }
+    if (segment.length != 0) before = segment;
+  }
+  return std::nullopt;
+}
+
+std::optional<Pose> first_bend_tighter_than(double radius, const Path& path) {
+  constexpr double kEvened = 0.02;  // rad
+  for (std::size_t i = 0; i + 1 < path.driven_poses().size(); ++i) {
+    const Segment segment = JoinedPoses(path.driven_poses()).segment(i);
+    if (std::abs(segment.turn) > std::abs(segment.length) / radius + kEvened) return segment.from;
+  }
+  return std::nullopt;
+}
+
 bool Route::can_hold(MapPoint point) {
   return std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest;  // so not NaN
 }

@@ -31,6 +31,14 @@ struct RouteLeg {
 /// on wheels that a follower drives can do that. O(n).
 WEND_API std::optional<Pose> first_step_aside(const Path& path);
 
+/// Where a path of poses first turns in place, at its ends too, or jumps from one direction of travel to another one,
+/// in grid coordinates: a robot that steers cannot do that. Nothing for a path of lines. O(n).
+WEND_API std::optional<Pose> first_turn_in_place(const Path& path);
+
+/// Where a path of poses first has an arc of a smaller radius, in cells, by more than what a controller evens out (1.1
+/// degrees), in grid coordinates. Nothing for a path of lines. O(n).
+WEND_API std::optional<Pose> first_bend_tighter_than(double radius, const Path& path);
+
 class WEND_API Route {
  public:
   /// Farther from the origin of the map's frame there is no place of a route, m.

@@ -1,9 +1,11 @@
 #include "wend/control/simulation.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <utility>
 
+#include "wend/base/options.hpp"
+#include "wend/base/parse.hpp"
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/trigonometry.hpp"
@@ -11,6 +13,10 @@
 
 namespace wend {
 namespace {
+
+/// To centimetres, for messages.
+double rounded(double metres) { return std::round(metres * 100) / 100; }
+double rounded_up(double metres) { return std::ceil(metres * 100) / 100; }
 
 /// The arc in grid coordinates. Of what goes round more than once: one round, which
 /// is all that matters to where it passes.
@@ -75,6 +81,14 @@ class Delay {
     newest_ = (newest_ + 1) % commands_.size();
     commands_[newest_] = command;
   }
+  /// Will the wheels get another command than to stand?
+  bool any_on_its_way() const {
+    for (std::size_t count = 0; count <= periods_; ++count) {
+      if (sent_before(count) != Velocity{}) return true;
+    }
+    return false;
+  }
+
   const Velocity& due() const { return sent_before(periods_); }
   const Velocity& due_before() const { return sent_before(periods_ + 1); }
 
@@ -91,6 +105,38 @@ class Delay {
   std::size_t newest_ = 0;
 };
 
+constexpr std::size_t kMostCommands = 10'000'000;
+
+/// Finds the first option that is not in its range.
+class RangeCheck {
+ public:
+  void operator()(const OptionText& text, double value, OptionRange range) {
+    if (fault_ || (value >= range.least && value <= range.greatest)) return;
+    const std::string name(text.name);
+    fault_ = Error{Status::invalid_option,
+                   name + " must be from " + format_number(range.least) + " to " +
+                       format_number(range.greatest),
+                   name};
+  }
+  void operator()(const OptionText& text, std::int64_t value, OptionRange range) {
+    (*this)(text, static_cast<double>(value), range);
+  }
+  template <class Choice>
+  void operator()(const OptionText& /*text*/, Choice /*value*/) {}
+
+  const std::optional<Error>& fault() const { return fault_; }
+
+ private:
+  std::optional<Error> fault_;
+};
+
+template <class Options>
+std::optional<Error> fault_of(const Options& options) {
+  RangeCheck check;
+  Options::fields(options, check);
+  return check.fault();
+}
+
 class Simulation {
  public:
   Simulation(const FreeSpace& space, const Path& path, Controller& controller,
@@ -102,7 +148,7 @@ class Simulation {
         options_(options),
         period_(1 / options.rate),
         follower_(controller, model.limits, adapted(follower, model)),
-        heading_window_(follower.heading_window),
+        tolerances_(follower),
         collisions_(space),
         random_(static_cast<std::uint64_t>(options.seed)),
         delay_(options.latency, period_) {
@@ -117,7 +163,9 @@ class Simulation {
       const FollowerStep step = follower_.step(measured(), period_);
       note();
       outcome = outcome_of(step.state);
-      if (!outcome && drive_.time >= limit) outcome = DriveOutcome::time;
+      if (!outcome && (drive_.time >= limit || drive_.samples.size() >= kMostCommands)) {
+        outcome = step.state == FollowerState::driving ? DriveOutcome::time : ended_in(step.state);
+      }
       if (!outcome && move(step.command)) outcome = DriveOutcome::collision;
       if (outcome == DriveOutcome::collision) note();
     }
@@ -139,19 +187,35 @@ class Simulation {
     return kSlack + kTimes * route_.length() / model_.limits.speed;
   }
 
-  /// Of a robot that has arrived: once it stands, after the commands that were still on their way.
+  /// Once the robot stands, after the commands that were still on their way.
   std::optional<DriveOutcome> outcome_of(FollowerState state) const {
+    const bool moves = robot_.velocity != Velocity{} || delay_.any_on_its_way();
+    if (state == FollowerState::driving || moves) return std::nullopt;
+    return ended_in(state);
+  }
+
+  DriveOutcome ended_in(FollowerState state) const {
     switch (state) {
-      case FollowerState::reached:
-        return robot_.velocity == Velocity{} ? std::optional(DriveOutcome::reached) : std::nullopt;
       case FollowerState::stuck:
         return DriveOutcome::stuck;
       case FollowerState::off_path:
         return DriveOutcome::off_path;
+      case FollowerState::reached:
+        return is_at_goal() ? DriveOutcome::reached : DriveOutcome::missed;
       case FollowerState::driving:
+      case FollowerState::invalid:
         break;
     }
-    return std::nullopt;
+    return DriveOutcome::stuck;
+  }
+
+  /// By its true pose.
+  bool is_at_goal() const {
+    const MapPose& end = route_.end();
+    const double turned = std::abs(normalized_angle(end.heading - robot_.pose.heading));
+    const double tolerance = route_.final_heading() ? tolerances_.heading_tolerance : 0;
+    return distance(robot_.pose.point(), end.point()) <= tolerances_.goal_tolerance &&
+           (tolerance == 0 || turned <= tolerance);
   }
 
   MapPose measured() {
@@ -214,7 +278,7 @@ class Simulation {
     const double along = follower_.along_leg();
     const OnMapPolyline place =
         leg.line.nearest(robot_.pose.point(), along - around, along + around);
-    const double heading = leg.line.heading_at(place.along, heading_window_);
+    const double heading = leg.line.heading_at(place.along, tolerances_.heading_window);
     const double to_x = robot_.pose.x - place.point.x;
     const double to_y = robot_.pose.y - place.point.y;
     const auto [sine, cosine] = sine_and_cosine(heading);
@@ -245,7 +309,7 @@ class Simulation {
   SimulationOptions options_;
   double period_;
   Follower follower_;
-  double heading_window_;
+  FollowerOptions tolerances_;
   CollisionCounter collisions_;
   Random random_;
   Delay delay_;
@@ -261,19 +325,65 @@ class Simulation {
 bool Drive::oscillates() const { return static_cast<double>(swings) > std::max(time, 1.0); }
 
 std::string_view describe(DriveOutcome outcome) {
-  constexpr std::array<Choice<DriveOutcome>, 5> kTexts{
+  constexpr std::array<Choice<DriveOutcome>, 7> kTexts{
       {{"reached the goal", DriveOutcome::reached},
        {"got stuck", DriveOutcome::stuck},
        {"left the path", DriveOutcome::off_path},
        {"ran into an obstacle", DriveOutcome::collision},
-       {"ran out of time", DriveOutcome::time}}};
+       {"ran out of time", DriveOutcome::time},
+       {"stopped beside the goal", DriveOutcome::missed},
+       {"was refused", DriveOutcome::refused}}};
   return choice_name(outcome, kTexts);
+}
+
+std::string_view default_controller(const Path& path) {
+  return path.driven() ? "stanley" : "pure_pursuit";
+}
+
+std::optional<Error> why_undrivable(const Path& path, const Frame& frame,
+                                    const MotionModel& model) {
+  const auto refused = [](std::string message) {
+    return Error{Status::unsupported_query, std::move(message), "path"};
+  };
+  if (path.empty()) return refused("the path is empty");
+  if (!Route(path, frame).valid()) {
+    return refused("the path has a number that is not finite, or is farther than " +
+                   format_number(Route::kFarthest) + " m from the origin");
+  }
+  const auto at = [&](const Pose& pose) {
+    const MapPoint point = frame.to_metres(pose).point();
+    return "(" + format_number(rounded(point.x)) + "," + format_number(rounded(point.y)) + ") m";
+  };
+  if (const auto aside = first_step_aside(path)) {
+    return refused("the path steps to a side of the robot at " + at(*aside) +
+                   ", which a robot on wheels cannot drive");
+  }
+  if (model.turning_radius() == 0) return std::nullopt;
+  if (const auto turn = first_turn_in_place(path)) {
+    return refused("the path turns in place at " + at(*turn) + ", which a bicycle cannot drive");
+  }
+  const double radius = model.turning_radius() / frame.resolution;
+  if (const auto bend = first_bend_tighter_than(radius, path)) {
+    return refused("the path bends at " + at(*bend) +
+                   " tighter than the bicycle can steer, whose radius is " +
+                   format_number(rounded_up(model.turning_radius())) + " m");
+  }
+  return std::nullopt;
 }
 
 Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
                const MotionModel& model, const SimulationOptions& options,
                const FollowerOptions& follower) {
-  assert(!path.empty());
+  auto fault = why_undrivable(path, space.map().frame(), model);
+  if (!fault) fault = fault_of(model);
+  if (!fault) fault = fault_of(options);
+  if (!fault) fault = fault_of(follower);
+  if (fault) {
+    Drive drive;
+    drive.outcome = DriveOutcome::refused;
+    drive.refusal = std::move(fault->message);
+    return drive;
+  }
   return Simulation(space, path, controller, model, options, follower).run();
 }
 

@@ -14,11 +14,13 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "wend/base/choice.hpp"
 #include "wend/base/compiler.hpp"
+#include "wend/base/error.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/path/path.hpp"
@@ -60,22 +62,27 @@ struct SimulationOptions {
 
 /// How a drive ended.
 enum class DriveOutcome {
-  reached,    // the follower reports that the goal is reached
+  reached,    // the robot stands within the tolerances of the goal
   stuck,      // FollowerState::stuck
   off_path,   // FollowerState::off_path
   collision,  // the robot collided, and stop_at_collision is set
-  time        // SimulationOptions::time_limit passed
+  time,       // SimulationOptions::time_limit passed
+  missed,     // it stands beside the goal, where its poses, with their noise, tell that it is there
+  refused     // it did not begin: Drive::refusal says why
 };
 
-constexpr std::array<Choice<DriveOutcome>, 5> choice_names(DriveOutcome) {
+constexpr std::array<Choice<DriveOutcome>, 7> choice_names(DriveOutcome) {
   return {{{"reached", DriveOutcome::reached},
            {"stuck", DriveOutcome::stuck},
            {"off_path", DriveOutcome::off_path},
            {"collision", DriveOutcome::collision},
-           {"time", DriveOutcome::time}}};
+           {"time", DriveOutcome::time},
+           {"missed", DriveOutcome::missed},
+           {"refused", DriveOutcome::refused}}};
 }
 
-/// "reached the goal", "got stuck", "left the path", "ran into an obstacle", "ran out of time".
+/// "reached the goal", "got stuck", "left the path", "ran into an obstacle", "ran out of time", "stopped beside
+/// the goal", "was refused".
 WEND_API std::string_view describe(DriveOutcome outcome);
 
 /// The robot at one moment; grid coordinates, the rest metres, radians and seconds.
@@ -90,6 +97,7 @@ struct DriveSample {
 /// A simulated drive: its outcome, its measures, and the poses.
 struct WEND_API Drive {
   DriveOutcome outcome = DriveOutcome::reached;  // how it ended
+  std::string refusal = {};                      // why it did not begin, for refused; else empty
   double time = 0;                               // s
   double distance = 0;                           // m
   double turned = 0;                             // rad, to the left and to the right together
@@ -107,10 +115,21 @@ struct WEND_API Drive {
   bool oscillates() const;
 };
 
-/// Drives from the path's start, heading along it (for a car's path, as its first pose). The path
-/// (not empty) is in grid coordinates of the space's map. The controller is reset first. With a
-/// controller that why_unfit() rejects, a bicycle gets stuck. O(commands); every run ends: see
-/// Follower.
+/// The controller that suits a path: stanley for a path of poses, whose arcs it does not cut; else pure_pursuit,
+/// which rounds the corners of lines.
+WEND_API std::string_view default_controller(const Path& path);
+
+/// Why such a robot cannot drive along a path: it is empty, has numbers that are not finite or places that no
+/// route can hold; it steps to a side; a bicycle would turn in place, or tighter than it can steer. Nothing if it
+/// can. O(n).
+WEND_API std::optional<Error> why_undrivable(const Path& path, const Frame& frame,
+                                             const MotionModel& model);
+
+/// Drives from the path's start, heading along it (for a car's path, as its first pose), until the robot stands,
+/// whatever the outcome, or the time is over. The path is in grid coordinates of the space's map. What
+/// why_undrivable() tells, and options out of their ranges, are refused: the drive has no samples. The controller
+/// is reset first. With a controller that why_unfit() rejects, a bicycle gets stuck. O(commands), 1e7 at most;
+/// every run ends: see Follower.
 WEND_API Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
                         const MotionModel& model = {}, const SimulationOptions& options = {},
                         const FollowerOptions& follower = {});

@@ -1,10 +1,12 @@
 #include "wend/control/simulation.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -401,12 +403,80 @@ TEST(Simulate, StandsWhereAPathOfOnePointIs) {
   EXPECT_EQ(drive.samples.size(), 1U);
 }
 
+/// "Reached" by the test's own reckoning.
+void expect_reached_is_true(const Drive& drive, const MapPose& goal, const FollowerOptions& asked) {
+  if (drive.outcome != DriveOutcome::reached) return;
+  const DriveSample& last = drive.samples.back();
+  EXPECT_EQ(last.velocity, Velocity{});
+  const MapPose stands = open_ground().map().frame().to_metres(last.pose);
+  EXPECT_LE(std::hypot(stands.x - goal.x, stands.y - goal.y), asked.goal_tolerance);
+  const double turned = std::remainder(stands.heading - goal.heading, 2 * kPi);
+  EXPECT_LE(std::abs(turned), asked.heading_tolerance);
+}
+
+TEST(Simulate, ReachedMeansThatTheRobotStandsWithinTheTolerances) {
+  const Path path = Path::through({{20, 20, 0}, {60, 20, 0}, {60, 20, 2}});
+  const MapPose goal = open_ground().map().frame().to_metres(path.poses().back());
+  for (const std::string& name : controllers().names()) {
+    for (const double latency : {0.0, 0.1, 0.3}) {
+      for (const double tolerance : {0.02, 0.05, 0.2}) {
+        for (const double noise : {0.0, 0.01}) {
+          SCOPED_TRACE(name + " " + std::to_string(latency) + " " + std::to_string(tolerance));
+          const FollowerOptions asked{.goal_tolerance = tolerance};
+          const Drive drive =
+              simulate(open_ground(), path, *driver(name), {.limits = {.speed = 1.5}},
+                       {.position_noise = noise, .latency = latency}, asked);
+          if (noise == 0) {
+            EXPECT_EQ(drive.outcome, DriveOutcome::reached);
+          }
+          expect_reached_is_true(drive, goal, asked);
+        }
+      }
+    }
+  }
+}
+
+TEST(Simulate, RefusesWhatCannotBeDriven) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const auto controller = driver("stanley");
+  const auto refusal = [&](const Path& path, const MotionModel& model = {},
+                           const SimulationOptions& options = {},
+                           const FollowerOptions& follower = {}) {
+    const Drive drive = simulate(open_ground(), path, *controller, model, options, follower);
+    EXPECT_EQ(drive.outcome, DriveOutcome::refused);
+    EXPECT_TRUE(drive.samples.empty());
+    return drive.refusal;
+  };
+  const Path good = Path::through({{20, 20, 0}, {60, 20, 0}});
+  EXPECT_EQ(refusal(Path()), "the path is empty");
+  for (const double number : {kNan, std::numeric_limits<double>::infinity(), 1e300}) {
+    EXPECT_EQ(
+        refusal(Path::along({{20, 20}, {number, 20}})),
+        "the path has a number that is not finite, or is farther than 1e+08 m from the origin");
+    EXPECT_EQ(refusal(good, {.limits = {.speed = number}}), "speed must be from 0.001 to 1000");
+    EXPECT_EQ(refusal(good, {}, {.latency = number}), "latency must be from 0 to 10");
+    EXPECT_EQ(refusal(good, {}, {.rate = number}), "rate must be from 0.1 to 10000");
+    EXPECT_EQ(refusal(good, {}, {}, {.goal_tolerance = number}),
+              "goal_tolerance must be from 0.001 to 1000");
+  }
+  EXPECT_EQ(refusal(Path::through({{20, 20, 0}, {20, 60, 0}})),
+            "the path steps to a side of the robot at (-2.2,4.71) m, which a robot on wheels "
+            "cannot drive");
+  const MotionModel bicycle{.drivetrain = Drivetrain::bicycle};
+  EXPECT_THAT(refusal(Path::through({{20, 20, 0}, {60, 20, 0}, {60, 20, 0.1}}), bicycle),
+              testing::HasSubstr("turns in place at"));
+  EXPECT_THAT(refusal(Path::through({{20, 20, 0}, {22, 22, kPi / 2}}), bicycle),
+              testing::HasSubstr("tighter than the bicycle can steer, whose radius is 0.44 m"));
+}
+
 TEST(Simulate, DescribesOutcomes) {
   EXPECT_EQ(describe(DriveOutcome::reached), "reached the goal");
   EXPECT_EQ(describe(DriveOutcome::stuck), "got stuck");
   EXPECT_EQ(describe(DriveOutcome::off_path), "left the path");
   EXPECT_EQ(describe(DriveOutcome::collision), "ran into an obstacle");
   EXPECT_EQ(describe(DriveOutcome::time), "ran out of time");
+  EXPECT_EQ(describe(DriveOutcome::missed), "stopped beside the goal");
+  EXPECT_EQ(describe(DriveOutcome::refused), "was refused");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ double curvature_at(const MapPolyline& line, double along, double window) {
   const double to = std::min(along + window, line.length());
   if (from >= to) return 0;
   const double turn = line.heading_at(to, window) - line.heading_at(from, window);
-  return normalized_angle(turn) / (to - from);
+  return normalized_angle(turn) / std::max(to - from, window);  // a short end is no tighter bend
 }
 
 /// In a bend, and where it changes by so much a metre.

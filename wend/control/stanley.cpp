@@ -84,8 +84,9 @@ class StanleyController final : public Controller {
     const double to = std::min(along + window, line.length());
     const MapPose on_line = line.at(along);
     if (from >= to) return {on_line, 0};
+    // Over the window even where the line is shorter: a short end is no tighter bend.
     const double turn = line.heading_at(to, window) - line.heading_at(from, window);
-    return {{on_line.x, on_line.y, heading}, normalized_angle(turn) / (to - from)};
+    return {{on_line.x, on_line.y, heading}, normalized_angle(turn) / std::max(to - from, window)};
   }
 
   double steering_of(const ControllerInput& input, double speed) const {
