@@ -13,5 +13,4 @@ set(wend_nav2_core_sources
     src/pose_faults.cpp
     src/robot_shape.cpp
     src/safe_velocity.cpp
-    src/standing_watch.cpp
     src/way_ahead.cpp)

@@ -57,15 +57,6 @@ std::optional<ControlFailure> why_no_command(const ControlMoment& moment, double
   return std::nullopt;
 }
 
-/// The route along a path that has no fault. A path of one place leads there from a robot that is nearer than `reach`.
-wend::Expected<wend::Route, wend::Error> route_along(const std::vector<wend::MapPose>& path,
-                                                     const wend::MapPose& robot, double reach) {
-  const wend::MapPose& goal = path.back();
-  auto route = wend::given_route(path);
-  if (!route || route->length() > 0 || distance(robot.point(), goal.point()) > reach) return route;
-  return wend::Route({{wend::MapPolyline({robot.point(), goal.point()})}}, goal.heading);
-}
-
 }  // namespace
 
 std::string_view to_string(ControlFailureKind kind) {
@@ -128,52 +119,47 @@ void PathFollower::limit_speed() {
 void PathFollower::forget_path() {
   follower_.reset();
   route_.reset();
-  path_.clear();
-  is_new_ = false;
 }
 
-/// Is it driven, or has it been, with the present settings?
-bool PathFollower::is_driving(const std::vector<wend::MapPose>& path) const {
-  const bool goes_on =
-      state_ == wend::FollowerState::driving || state_ == wend::FollowerState::reached;
-  return follower_ && goes_on && !is_set_anew_ && path == path_;
+wend::Expected<void, ControlFailure> PathFollower::make_follower() {
+  auto controller = wend::make_controller(settings_.controller, settings_.options);
+  if (!controller) return no_command(ControlFailureKind::other, controller.error().message);
+  controller_ = *std::move(controller);
+  wend::FollowerOptions options = settings_.follower;
+  options.goal_tolerance = std::max(kShareOfTolerance * goal_distance_, kLeastTolerance);
+  options.heading_tolerance = kShareOfTolerance * goal_heading_;
+  follower_.emplace(*controller_, limits(), options);
+  follower_->set_velocity(told_);
+  is_set_anew_ = false;
+  return {};
 }
 
 wend::Expected<void, ControlFailure> PathFollower::set_path(
     const std::vector<wend::MapPose>& path) {
   stops_ = false;
-  if (is_driving(path)) return {};
-  const bool same_goal = !path.empty() && !path_.empty() && path.back() == path_.back();
-  forget_path();
-  if (path.empty()) return no_command(ControlFailureKind::invalid_path, "the path has no poses");
-  if (auto fault = fault_of(path)) {
-    return no_command(ControlFailureKind::invalid_path, *std::move(fault));
+  const auto refused = [this](std::string why) {
+    forget_path();
+    return no_command(ControlFailureKind::invalid_path, std::move(why));
+  };
+  if (path.empty()) return refused("the path has no poses");
+  if (auto fault = fault_of(path)) return refused(*std::move(fault));
+  auto route = wend::given_route(path);
+  if (!route) return refused(route.error().message);
+  if (!follower_ || is_set_anew_) {
+    forget_path();
+    if (auto made = make_follower(); !made) return made;
   }
-  auto controller = wend::make_controller(settings_.controller, settings_.options);
-  if (!controller) return no_command(ControlFailureKind::other, controller.error().message);
-  controller_ = *std::move(controller);
-  if (!same_goal) watch_.restart();
-  path_ = path;
-  is_new_ = true;
-  is_set_anew_ = false;
+  route_ = *std::move(route);
+  follower_->follow(*route_, [this](const wend::MapPose& from, wend::MapPoint to) {
+    return can_reach(from, to);
+  });
   return {};
 }
 
-/// Begins the new path where the robot is.
-wend::Expected<void, ControlFailure> PathFollower::begin(const ControlMoment& moment) {
-  auto route = route_along(path_, moment.on_path, settings_.follower.off_path);
-  if (!route) {
-    forget_path();
-    return no_command(ControlFailureKind::invalid_path, route.error().message);
-  }
-  route_ = *std::move(route);
-  wend::FollowerOptions options = settings_.follower;
-  options.goal_tolerance = std::max(kShareOfTolerance * goal_distance_, kLeastTolerance);
-  options.heading_tolerance = kShareOfTolerance * goal_heading_;
-  follower_.emplace(*controller_, limits(), options);
-  follower_->follow(*route_);
-  is_new_ = false;
-  return {};
+/// Is no wall between? Of the costmap at the moment of a command.
+bool PathFollower::can_reach(const wend::MapPose& from, wend::MapPoint to) const {
+  const wend::RouteLeg line{wend::MapPolyline({from.point(), to})};
+  return !free_ || is_free_ahead(line, 0, line.line.length(), *to_costmap_, *free_);
 }
 
 wend::Expected<wend::FreeSpace, ControlFailure> PathFollower::space(const RobotShape& robot) {
@@ -186,32 +172,10 @@ wend::Expected<wend::FreeSpace, ControlFailure> PathFollower::space(const RobotS
   return std::move(view->space);
 }
 
-/// Has the robot been where it is for too long, whatever paths to this goal it was given?
-bool PathFollower::stands_still(const ControlMoment& moment) {
-  constexpr double kWay = 0.05;   // m
-  constexpr double kTurn = 0.1;   // rad
-  constexpr double kShare = 0.1;  // of what the robot can do
-  const double stuck_time = settings_.follower.stuck_time;
-  const double way = std::min(kWay, kShare * stuck_time * limits().speed);
-  const double turn = std::min(kTurn, kShare * stuck_time * limits().turn_rate);
-  return watch_.standing_for(moment.on_path, moment.seconds, way, turn) >= stuck_time;
-}
-
 wend::Expected<wend::Velocity, ControlFailure> PathFollower::wanted(const ControlMoment& moment) {
   if (stops_) return wend::Velocity{};
-  if (path_.empty()) return no_command(ControlFailureKind::invalid_path, "there is no path");
-  if (is_new_) {
-    if (auto begun = begin(moment); !begun) return wend::Unexpected<ControlFailure>(begun.error());
-    follower_->set_velocity(told_);
-  }
   const wend::FollowerStep step = follower_->step(moment.on_path, moment.seconds);
-  state_ = step.state;
-  if (state_ == wend::FollowerState::reached) {
-    watch_.restart();
-  } else if (stands_still(moment)) {
-    state_ = wend::FollowerState::stuck;
-  }
-  switch (state_) {
+  switch (step.state) {
     case wend::FollowerState::stuck:
       // Nearer than the goal checker asks for it may be stuck.
       if (is_at_goal(moment.on_path)) return wend::Velocity{};
@@ -250,8 +214,9 @@ std::optional<wend::Velocity> PathFollower::safe(const ControlMoment& moment,
   const double seen = braking + std::abs(before.linear) * moment.seconds +
                       moment.robot.footprint.circumscribed_radius() + kSeen;
   const wend::RouteLeg& leg = route_->legs()[follower_->leg()];
-  const FrameChange to_costmap(moment.on_path, moment.in_costmap);
-  if (is_free_ahead(leg, follower_->along_leg(), seen, to_costmap, free)) return slowed(want, free);
+  if (is_free_ahead(leg, follower_->along_leg(), seen, *to_costmap_, free)) {
+    return slowed(want, free);
+  }
   wend::Robot grown = free.robot();
   grown.footprint = grown.footprint.grown(free.map().frame().resolution / 2);
   if (const auto wide = wend::make_free_space(free.obstacles(), grown)) {
@@ -269,12 +234,15 @@ wend::Expected<wend::Velocity, ControlFailure> PathFollower::command(const Contr
     told_ = moment.velocity;
     if (follower_) follower_->set_velocity(told_);
   }
-  const wend::Velocity before = told_;
-  auto want = wanted(moment);
-  told_ = {};
-  if (!want) return want;
+  const wend::Velocity before = std::exchange(told_, {});
+  if (!route_ && !stops_) return no_command(ControlFailureKind::invalid_path, "there is no path");
   const auto free = space(moment.robot);
   if (!free) return wend::Unexpected<ControlFailure>(free.error());
+  free_ = *free;
+  to_costmap_.emplace(moment.on_path, moment.in_costmap);
+  const auto want = wanted(moment);
+  free_.reset();  // an edit of it is cheaper if there is no copy
+  if (!want) return want;
   const auto velocity = safe(moment, before, *want, *free);
   const bool blocked = !velocity || (*velocity == wend::Velocity{} && *want != wend::Velocity{});
   told_ = velocity.value_or(wend::Velocity{});
@@ -288,7 +256,7 @@ wend::Expected<wend::Velocity, ControlFailure> PathFollower::command(const Contr
 }
 
 bool PathFollower::is_at_goal(const wend::MapPose& pose) const {
-  const wend::MapPose& goal = path_.back();
+  const wend::MapPose& goal = route_->end();
   const double turn = wend::normalized_angle(goal.heading - pose.heading);
   return distance(pose.point(), goal.point()) <= goal_distance_ &&
          (goal_heading_ == 0 || std::abs(turn) <= goal_heading_);
@@ -301,7 +269,6 @@ bool PathFollower::stop() {
 
 void PathFollower::reset() {
   forget_path();
-  watch_.restart();
   told_ = {};
   begins_ = true;
   stops_ = false;

@@ -472,6 +472,48 @@ TEST(PathFollower, TheSamePathAgainChangesNothing) {
   }
 }
 
+TEST(PathFollower, JoinsAPathInItsMiddleAndDrivesOn) {
+  const Poses path = along({{1, 1}, {5, 1}, {5, 3}, {1, 3}, {1, 5}, {5, 5}});
+  for (const std::string& name : wend::controllers().names()) {
+    for (std::size_t at = 20; at < path.size() - 20; at += 55) {
+      SCOPED_TRACE(name + " at pose " + std::to_string(at));
+      Driver driver({}, name);
+      driver.robot.state.pose = path[at];
+      driver.robot.state.pose.y += 0.1;
+      ASSERT_TRUE(driver.follower.set_path(path));
+      const auto failure = driver.drive_to(path.back());
+      EXPECT_FALSE(failure) << failure->message;
+      const double left = static_cast<double>(path.size() - at) * 0.05;
+      EXPECT_LT(driver.periods * kPeriod, left / 0.2 + 12) << "nothing is driven twice";
+    }
+  }
+}
+
+TEST(PathFollower, GoesOnAfterACancelledDrive) {
+  const Poses path = along({{1, 1}, {5.5, 1}});
+  Driver driver;
+  driver.robot.state.pose = path.front();
+  ASSERT_TRUE(driver.follower.set_path(path));
+  while (driver.robot.state.pose.x < 4.2) ASSERT_TRUE(driver.step());
+  while (!driver.follower.stop()) ASSERT_TRUE(driver.step());
+  driver.follower.reset();
+  ASSERT_TRUE(driver.follower.set_path(path));
+  const auto failure = driver.drive_to(path.back());
+  EXPECT_FALSE(failure) << failure->message;
+}
+
+TEST(PathFollower, JoinsAPathOnItsOwnSideOfAWall) {
+  // The path comes back behind a wall, nearer to the robot than its beginning.
+  Driver driver;
+  for (int x = 5; x < 50; ++x) driver.map.at(x, 15) = 254;
+  const Poses path = along({{1, 1}, {5.4, 1}, {5.4, 1.72}, {1, 1.72}});
+  driver.robot.state.pose = {3, 1.38, 0};
+  ASSERT_TRUE(driver.follower.set_path(path));
+  const auto failure = driver.drive_to({1, 1.72, wend::kPi});
+  EXPECT_FALSE(failure) << failure->message;
+  EXPECT_FALSE(driver.collided);
+}
+
 TEST(PathFollower, ARobotThatDoesNotGetOnIsStuckHoweverOftenItGetsPathsToItsGoal) {
   for (const bool moved : {false, true}) {
     Driver driver(wend::OptionValues{{"stuck_time", "2"}});

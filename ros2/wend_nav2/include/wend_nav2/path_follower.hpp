@@ -30,8 +30,8 @@
 #include "wend/session/session.hpp"
 #include "wend_nav2/control_settings.hpp"
 #include "wend_nav2/costmap_copy.hpp"
+#include "wend_nav2/frame_change.hpp"
 #include "wend_nav2/robot_shape.hpp"
-#include "wend_nav2/standing_watch.hpp"
 
 namespace wend_nav2 {
 
@@ -81,8 +81,10 @@ class PathFollower {
   /// The same in percent of the settings' speed; 0: as fast as they say.
   bool set_speed_limit_percent(double percent);
 
-  /// Takes another path, also while driving. Fails, with the place, if it is empty or has a pose that fault_of() finds;
-  /// then there is no path. The path that is being driven already changes nothing.
+  /// Takes another path, also while driving. The robot joins it where it can get to along a free line
+  /// (wend/control/joining.hpp). The path that is being driven already changes nothing, and a new one does not give a
+  /// robot that makes no progress more time. Fails, with the place, if the path is empty or has a pose that fault_of()
+  /// finds; then there is no path.
   wend::Expected<void, ControlFailure> set_path(const std::vector<wend::MapPose>& path);
 
   CostmapCopy& costmap() { return costmap_; }
@@ -102,29 +104,27 @@ class PathFollower {
  private:
   wend::VelocityLimits limits() const;
   void limit_speed();
-  bool is_driving(const std::vector<wend::MapPose>& path) const;
+  wend::Expected<void, ControlFailure> make_follower();
   wend::Expected<wend::FreeSpace, ControlFailure> space(const RobotShape& robot);
-  wend::Expected<void, ControlFailure> begin(const ControlMoment& moment);
+  bool can_reach(const wend::MapPose& from, wend::MapPoint to) const;
   wend::Expected<wend::Velocity, ControlFailure> wanted(const ControlMoment& moment);
   std::optional<wend::Velocity> safe(const ControlMoment& moment, const wend::Velocity& before,
                                      const wend::Velocity& want, const wend::FreeSpace& free) const;
   bool is_at_goal(const wend::MapPose& pose) const;
-  bool stands_still(const ControlMoment& moment);
 
   ControlSettings settings_;
   wend::Session session_;
   CostmapCopy costmap_;
   std::unique_ptr<wend::Controller> controller_;
-  std::vector<wend::MapPose> path_ = {};    // empty: none
-  bool is_new_ = false;                     // the follower has not begun it
-  std::optional<wend::Route> route_;        // along it, once it has
   std::optional<wend::Follower> follower_;  // with the controller
-  wend::FollowerState state_ = wend::FollowerState::driving;
-  StandingWatch watch_;
+  std::optional<wend::Route> route_;        // along the path; nothing: there is none
+  // What a path that begins may look at: the costmap at this moment.
+  std::optional<wend::FreeSpace> free_;
+  std::optional<FrameChange> to_costmap_;
   wend::Velocity told_ = {};  // last
   bool begins_ = true;        // the robot's velocity counts, not what it was told
   bool stops_ = false;
-  bool is_set_anew_ = false;  // the settings or the tolerances, since the path
+  bool is_set_anew_ = false;  // the settings or the tolerances, since the follower was made
   double speed_limit_ = 0;    // m/s; 0: none
   double speed_share_ = 1;
   double goal_distance_ = 0.25;
