@@ -43,6 +43,8 @@ namespace {
       throw nav2_core::FailedToMakeProgress(failure.message);
     case ControlFailureKind::no_valid_control:
       throw nav2_core::NoValidControl(failure.message);
+    case ControlFailureKind::old_pose:
+      throw nav2_core::ControllerTFError(failure.message);
     case ControlFailureKind::other:
       break;
   }
@@ -63,6 +65,7 @@ class Controller final : public nav2_core::Controller {
     const auto node = parent.lock();
     if (!node) throw std::runtime_error(name + ": the node is gone");
     name_ = std::move(name);
+    logger_ = node->get_logger();
     clock_ = node->get_clock();
     transforms_ = std::move(transforms);
     costmap_ = std::move(costmap);
@@ -101,9 +104,9 @@ class Controller final : public nav2_core::Controller {
 
   void setPlan(const nav_msgs::msg::Path& path) override {
     const std::lock_guard lock(following_);
+    if (path.header.frame_id != frame_ && follower_) follower_->forget_path();
     frame_ = path.header.frame_id;
-    new_path_.emplace();
-    for (const auto& stamped : path.poses) new_path_->push_back(pose_from(stamped.pose));
+    new_path_ = poses_from(path);
   }
 
   geometry_msgs::msg::TwistStamped computeVelocityCommands(
@@ -113,11 +116,13 @@ class Controller final : public nav2_core::Controller {
     if (!follower_) throw nav2_core::ControllerException(name_ + " is not configured");
     if (const auto values = parameters_->changed()) apply(*values);
     if (new_path_) begin(*std::exchange(new_path_, {}), goal_checker);
-    ControlMoment moment{.on_path = in_frame_of_path(pose),
-                         .in_costmap = pose_from(pose.pose),
-                         .velocity = {velocity.linear.x, velocity.angular.z},
-                         .robot = robot(),
-                         .seconds = period_};
+    const wend::MapPose in_costmap = checked(pose);
+    const ControlMoment moment{.on_path = in_frame_of_path(in_costmap, pose.header.frame_id),
+                               .in_costmap = in_costmap,
+                               .velocity = {velocity.linear.x, velocity.angular.z},
+                               .robot = robot(),
+                               .seconds = period_,
+                               .age = age_of(pose.header.stamp)};
     read(*costmap_->getCostmap(), costmap_->getGlobalFrameID(), follower_->costmap());
     const auto command = follower_->command(moment);
     if (!command) throw_as_nav2(command.error());
@@ -137,10 +142,11 @@ class Controller final : public nav2_core::Controller {
   void setSpeedLimit(const double& speed_limit, const bool& percentage) override {
     const std::lock_guard lock(following_);
     if (!follower_) return;
-    if (percentage) {
-      follower_->set_speed_limit_percent(speed_limit);
-    } else {
-      follower_->set_speed_limit(speed_limit);
+    const bool taken = percentage ? follower_->set_speed_limit_percent(speed_limit)
+                                  : follower_->set_speed_limit(speed_limit);
+    if (!taken) {
+      RCLCPP_WARN(logger_, "%s: a speed limit of %g is ignored: a finite number from 0 on expected",
+                  name_.c_str(), speed_limit);
     }
   }
 
@@ -157,26 +163,44 @@ class Controller final : public nav2_core::Controller {
     follower_->set(*std::move(settings));
   }
 
-  void begin(const std::vector<wend::MapPose>& path, nav2_core::GoalChecker* goal_checker) {
+  void begin(const wend::Expected<std::vector<wend::MapPose>, std::string>& path,
+             nav2_core::GoalChecker* goal_checker) {
+    if (!path) {
+      follower_->forget_path();
+      throw nav2_core::InvalidPath(path.error());
+    }
     geometry_msgs::msg::Pose tolerance;
     geometry_msgs::msg::Twist of_velocity;
     if (goal_checker != nullptr && goal_checker->getTolerances(tolerance, of_velocity)) {
       const double angle = angle_of(tolerance.orientation);
       follower_->set_goal_tolerance(tolerance.position.x, angle < wend::kPi ? angle : 0);
     }
-    const auto taken = follower_->set_path(path);
+    const auto taken = follower_->set_path(*path);
     if (!taken) throw_as_nav2(taken.error());
   }
 
+  /// The robot may stand on a slope.
+  static wend::MapPose checked(const geometry_msgs::msg::PoseStamped& pose) {
+    const auto taken = pose_from(pose.pose, Tilt::slope);
+    if (!taken) throw nav2_core::ControllerException("the robot's pose: " + taken.error());
+    return *taken;
+  }
+
+  /// In seconds; 0 of a pose without a stamp, as static transforms have none.
+  double age_of(const builtin_interfaces::msg::Time& stamp) const {
+    const rclcpp::Time then(stamp, clock_->get_clock_type());
+    return then.nanoseconds() == 0 ? 0 : (clock_->now() - then).seconds();
+  }
+
   /// The newest transform: the frame of the path moves little within a period.
-  wend::MapPose in_frame_of_path(const geometry_msgs::msg::PoseStamped& pose) const {
-    if (frame_.empty() || frame_ == pose.header.frame_id) return pose_from(pose.pose);
+  wend::MapPose in_frame_of_path(const wend::MapPose& pose, const std::string& frame) const {
+    if (frame_.empty() || frame_ == frame) return pose;
     try {
-      const auto transform =
-          transforms_->lookupTransform(frame_, pose.header.frame_id, tf2::TimePointZero);
-      const wend::MapPose at = pose_from(pose.pose);
-      const wend::Frame frame{.resolution = 1, .origin = pose_from(transform.transform)};
-      return frame.to_metres(wend::Pose{at.x, at.y, at.heading});
+      const wend::Frame from{
+          .resolution = 1,
+          .origin =
+              pose_from(transforms_->lookupTransform(frame_, frame, tf2::TimePointZero).transform)};
+      return from.to_metres(wend::Pose{pose.x, pose.y, pose.heading});
     } catch (const tf2::TransformException& error) {
       throw nav2_core::ControllerTFError(error.what());
     }
@@ -189,6 +213,7 @@ class Controller final : public nav2_core::Controller {
   }
 
   std::string name_;
+  rclcpp::Logger logger_{rclcpp::get_logger("wend_nav2")};
   rclcpp::Clock::SharedPtr clock_;
   TransformBuffer transforms_;
   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;
@@ -198,7 +223,7 @@ class Controller final : public nav2_core::Controller {
   std::mutex following_;
   std::optional<PathFollower> follower_;
   std::string frame_;  // of the path
-  std::optional<std::vector<wend::MapPose>> new_path_;
+  std::optional<wend::Expected<std::vector<wend::MapPose>, std::string>> new_path_;
 };
 
 }  // namespace wend_nav2

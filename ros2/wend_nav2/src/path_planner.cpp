@@ -4,10 +4,12 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "wend/planner/planners.hpp"
 #include "wend_nav2/path_poses.hpp"
+#include "wend_nav2/pose_faults.hpp"
 
 namespace wend_nav2 {
 namespace {
@@ -21,7 +23,9 @@ wend::SessionOptions session_options() {
                     .limit_seconds = "time_limit"}};
 }
 
-bool is_finite(const wend::MapPose& pose) { return std::isfinite(pose.x + pose.y + pose.heading); }
+bool is_finite(const wend::MapPose& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
+}
 
 wend::Capabilities capabilities_of(const std::string& planner) {
   const wend::PlannerInfo* info = wend::planners().find(planner);
@@ -56,8 +60,11 @@ PathPlanner::PathPlanner() : session_(session_options()) {}
 
 wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan(const PathRequest& request,
                                                               const CancelChecker& cancelled) {
-  if (!is_finite(request.start) || !is_finite(request.goal)) {
-    return no_path(FailureKind::other, "the start or the goal contains NaN or infinity");
+  for (const wend::MapPose* pose : {&request.start, &request.goal}) {
+    if (is_finite(*pose)) continue;
+    return no_path(FailureKind::other,
+                   std::string(pose == &request.start ? "the start " : "the goal ") +
+                       place_of(*pose) + " contains NaN or infinity");
   }
   const double limit = settings_.plugin.time_limit;
   Watch watch{
@@ -79,7 +86,7 @@ wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan(const PathRequest&
 
 wend::Expected<void, Failure> PathPlanner::prepare(const RobotShape& robot) {
   const PluginOptions& plugin = settings_.plugin;
-  const ObstacleRule rule = rule_for(plugin.obstacles, robot);
+  const ObstacleRule rule = rule_for(plugin.obstacles);
   wend::FreeSpaceOptions options = robot_for(rule, robot, plugin.allow_unknown);
   options.primitives = settings_.primitives;
   session_.set_robot(std::move(options));

@@ -138,8 +138,8 @@ class Planner final : public nav2_core::GlobalPlanner {
     PathPlanner::Poses all;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       // A leg begins where the one before ended, which may be near a stop that cannot be reached.
-      request.start = all.empty() ? pose_from(stops[i].pose) : all.back();
-      request.goal = pose_from(stops[i + 1].pose);
+      request.start = all.empty() ? checked("the start", stops[i], Tilt::slope) : all.back();
+      request.goal = checked("the goal", stops[i + 1], Tilt::flat);
       const auto leg = planner_->plan(request, cancelled);
       if (!leg) throw_as_nav2(leg.error());
       all.insert(all.end(), leg->begin() + (all.empty() ? 0 : 1), leg->end());
@@ -155,6 +155,12 @@ class Planner final : public nav2_core::GlobalPlanner {
     if (given.empty() || given == frame) return;
     throw nav2_core::PlannerTFError("a pose in the frame '" + given + "', '" + frame +
                                     "' expected");
+  }
+
+  static wend::MapPose checked(const std::string& name, const Pose& stop, Tilt tilt) {
+    const auto pose = pose_from(stop.pose, tilt);
+    if (!pose) throw nav2_core::PlannerException(name + ": " + pose.error());
+    return *pose;
   }
 
   RobotShape robot() {

@@ -2,10 +2,13 @@
 #include "wend_nav2/planner_settings.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "wend/io/primitives/load_primitives.hpp"
+#include "wend/map/grid_map.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend_nav2 {
 namespace {
@@ -13,6 +16,18 @@ namespace {
 const wend::OptionInfo* find(const std::vector<wend::OptionInfo>& options, std::string_view name) {
   const auto found = std::ranges::find(options, name, &wend::OptionInfo::name);
   return found == options.end() ? nullptr : &*found;
+}
+
+/// Would the planner refuse these options, which are within their ranges one by one? It is made on a map of one cell.
+std::optional<wend::Error> refusal_of(const wend::PlannerInfo& planner,
+                                      const wend::OptionValues& options) {
+  const auto map = wend::make_grid_map(wend::Grid<wend::CellState>(1, 1, wend::CellState::free));
+  if (!map) return std::nullopt;
+  const auto space = wend::make_free_space(*map);
+  if (!space) return std::nullopt;
+  const auto made = planner.make(*space, options);
+  const bool refused = !made && made.error().status == wend::Status::invalid_option;
+  return refused ? std::optional(made.error()) : std::nullopt;
 }
 
 }  // namespace
@@ -50,6 +65,9 @@ wend::Expected<PlannerSettings, wend::Error> settings_from(std::string_view plan
     }
     // Some defaults stand for what the planner chooses by itself.
     if (value != own->default_value) settings.options.emplace_back(name, value);
+  }
+  if (auto refusal = refusal_of(*wend::planners().find(planner), settings.options)) {
+    return wend::Unexpected<wend::Error>(*std::move(refusal));
   }
   auto plugin = wend::parse_options<PluginOptions>(of_plugin);
   if (!plugin) return wend::Unexpected<wend::Error>(std::move(plugin.error()));

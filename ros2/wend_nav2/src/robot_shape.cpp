@@ -41,10 +41,8 @@ wend::Expected<wend::Footprint, wend::Error> footprint_from(std::string_view tex
   return round_if_round(*footprint);
 }
 
-ObstacleRule rule_for(ObstacleRule rule, const RobotShape& robot) {
-  if (rule != ObstacleRule::automatic) return rule;
-  const bool round = robot.footprint.outline() == nullptr;
-  return round && robot.inflated ? ObstacleRule::inscribed : ObstacleRule::footprint;
+ObstacleRule rule_for(ObstacleRule rule) {
+  return rule == ObstacleRule::automatic ? ObstacleRule::footprint : rule;
 }
 
 wend::CostmapScale scale_for(ObstacleRule rule, double cost_factor) {

@@ -90,10 +90,10 @@ class Smoother final : public nav2_core::Smoother {
     if (const auto values = parameters_->changed()) apply(*values);
     const RobotShape shape = robot();
     read_costmap(path.header.frame_id);
-    std::vector<wend::MapPose> poses;
-    for (const auto& stamped : path.poses) poses.push_back(pose_from(stamped.pose));
+    const auto poses = poses_from(path);
+    if (!poses) throw nav2_core::InvalidPath(poses.error());
     auto smoothed = smoother_->smooth(
-        poses, shape, [&] { return std::chrono::steady_clock::now() - begin > limit; });
+        *poses, shape, [&] { return std::chrono::steady_clock::now() - begin > limit; });
     if (!smoothed) throw_as_nav2(smoothed.error());
     path = to_message(smoothed->poses, path.header);
     return smoothed->complete;

@@ -66,6 +66,20 @@ TEST(ControlSettings, FaultsAreSentences) {
   EXPECT_THAT(fault_of("p", {{"drivetrain", "bicycle"}}), HasSubstr("turn"));
 }
 
+TEST(ControlSettings, NumbersThatAreNotFiniteAreRefused) {
+  const ControllerSchema schema = controller_schema("pure_pursuit");
+  for (const auto* options :
+       {&schema.plugin, &schema.robot, &schema.follower, &schema.controller}) {
+    for (const wend::OptionInfo& option : *options) {
+      if (option.kind != wend::OptionKind::number) continue;
+      for (const char* number : {"nan", "inf", "-inf", "1e300"}) {
+        EXPECT_FALSE(control_settings_from("pure_pursuit", {{option.name, number}}))
+            << option.name << ' ' << number;
+      }
+    }
+  }
+}
+
 TEST(ControlSettings, ARobotThatSteersDoesNotTurnInPlace) {
   const auto settings = control_settings_from("pure_pursuit", {{"drivetrain", "bicycle"}});
   ASSERT_TRUE(settings) << settings.error().message;

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,6 +17,7 @@
 #include "costmaps.hpp"
 #include "simulated_robot.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/planner/planners.hpp"
 #include "wend_nav2/path_planner.hpp"
 
 namespace wend_nav2 {
@@ -38,8 +42,12 @@ struct Driver {
   SimulatedRobot robot = {};
   PathFollower follower = {};
   wend::MapPose odometry = {};
+  RobotShape shape = kDisc;
   double fastest = 0;
   double slowest = 0;
+  double most_turned = 0;  // from where it began
+  double first_heading = 0;
+  int periods = 0;
   bool collided = false;
 
   explicit Driver(const wend::OptionValues& values = {},
@@ -63,11 +71,14 @@ struct Driver {
   wend::Expected<wend::Velocity, ControlFailure> step() {
     follower.costmap().read(map.layout, map.costs);
     const auto told =
-        follower.command({on_path(), robot.state.pose, robot.state.velocity, kDisc, kPeriod});
+        follower.command({on_path(), robot.state.pose, robot.state.velocity, shape, kPeriod});
     const wend::Velocity velocity = told.value_or(wend::Velocity{});
     fastest = std::max(fastest, velocity.linear);
     slowest = std::min(slowest, velocity.linear);
+    if (periods++ == 0) first_heading = robot.state.pose.heading;
     collided = !robot.hold(map, velocity, kPeriod) || collided;
+    const double turned = wend::normalized_angle(robot.state.pose.heading - first_heading);
+    most_turned = std::max(most_turned, std::abs(turned));
     return told;
   }
 
@@ -294,6 +305,369 @@ TEST(PathFollower, FailuresSayWhatIsWrong) {
   const ControlFailure inside = failure_now();
   EXPECT_EQ(inside.kind, ControlFailureKind::no_valid_control);
   EXPECT_THAT(inside.message, HasSubstr("is in an obstacle"));
+}
+
+TEST(PathFollower, RefusesPathsWithWhatIsNotFiniteAndNamesThePlace) {
+  Driver driver;
+  for (const double number : {std::nan(""), double{INFINITY}, -double{INFINITY}, 1e300, 1e9}) {
+    for (const std::size_t at : {0U, 30U, 80U}) {
+      Poses path = along({{1, 1}, {5, 1}});
+      path[at].y = number;
+      const auto taken = driver.follower.set_path(path);
+      ASSERT_FALSE(taken) << number;
+      EXPECT_EQ(taken.error().kind, ControlFailureKind::invalid_path);
+      EXPECT_THAT(taken.error().message, HasSubstr("pose " + std::to_string(at) + " of the path"));
+    }
+  }
+}
+
+TEST(PathFollower, WhatIsMeasuredAndNotFiniteIsNeverAnswered) {
+  for (const std::string& name : wend::controllers().names()) {
+    SCOPED_TRACE(name);
+    Driver driver({}, name);
+    driver.follower.costmap().read(driver.map.layout, driver.map.costs);
+    const ControlMoment good{{1, 1, 0}, {1, 1, 0}, {}, kDisc, kPeriod};
+    for (const double number : {std::nan(""), double{INFINITY}, -double{INFINITY}, 1e300}) {
+      std::vector<ControlMoment> moments(8, good);
+      moments[0].on_path.x = moments[1].on_path.heading = number;
+      moments[2].in_costmap.y = moments[3].in_costmap.heading = number;
+      moments[4].velocity.linear = moments[5].velocity.angular = number;
+      moments[6].seconds = number;
+      moments[7].robot.footprint = wend::Footprint::disc(number);
+      for (const ControlMoment& moment : moments) {
+        driver.follower.reset();
+        ASSERT_TRUE(driver.follower.set_path(along({{1, 1}, {5, 1}})));
+        const auto told = driver.follower.command(moment);
+        EXPECT_TRUE(!told || (std::isfinite(told->linear) && std::isfinite(told->angular)));
+        const auto after = driver.follower.command(good);
+        ASSERT_TRUE(after) << after.error().message;
+        EXPECT_TRUE(std::isfinite(after->linear) && std::isfinite(after->angular));
+      }
+    }
+    ControlMoment never = good;
+    never.seconds = 0;
+    EXPECT_FALSE(driver.follower.command(never));
+  }
+}
+
+TEST(PathFollower, SpeedLimitsThatAreNoneChangeNothing) {
+  Driver driver;
+  EXPECT_TRUE(driver.follower.set_speed_limit(0.2));
+  for (const double number : {std::nan(""), double{INFINITY}, -double{INFINITY}, -1.0}) {
+    EXPECT_FALSE(driver.follower.set_speed_limit(number));
+    EXPECT_FALSE(driver.follower.set_speed_limit_percent(number));
+    driver.follower.set_goal_tolerance(number, number);
+  }
+  const Poses path = along({{1, 1}, {3, 1}});
+  driver.robot.state.pose = path.front();
+  ASSERT_TRUE(driver.follower.set_path(path));
+  EXPECT_FALSE(driver.drive_to(path.back()));
+  EXPECT_NEAR(driver.fastest, 0.2, 1e-9);
+  EXPECT_TRUE(driver.follower.set_speed_limit(1e300));
+}
+
+TEST(PathFollower, StandsIfThePoseIsOld) {
+  Driver driver(wend::OptionValues{{"pose_timeout", "0.5"}});
+  driver.robot.state.pose = {1, 1, 0};
+  ASSERT_TRUE(driver.follower.set_path(along({{1, 1}, {5, 1}})));
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(driver.step());
+  ControlMoment moment{{2, 1, 0}, {2, 1, 0}, {0.5, 0}, kDisc, kPeriod, 0.5};
+  EXPECT_TRUE(driver.follower.command(moment));
+  for (const double age : {0.6, 9.0, std::nan("")}) {
+    moment.age = age;
+    const auto told = driver.follower.command(moment);
+    ASSERT_FALSE(told) << age;
+    EXPECT_EQ(told.error().kind, ControlFailureKind::old_pose);
+    EXPECT_THAT(told.error().message, HasSubstr("pose_timeout"));
+  }
+  moment.age = 0;
+  const auto on = driver.follower.command(moment);
+  ASSERT_TRUE(on) << "and goes on";
+  EXPECT_LT(on->linear, 0.1) << "from standing";
+  EXPECT_EQ(control_settings_from("p", {})->plugin.pose_timeout, 1);
+}
+
+/// Straight back from (5, 1) to (2, 1), whatever that is in the path's frame.
+TEST(PathFollower, AStraightPathInReverseIsDrivenInReverseAtHeadingZeroToo) {
+  for (const std::string& name : wend::controllers().names()) {
+    for (const std::string drivetrain : {"differential", "bicycle"}) {
+      const wend::ControllerInfo& info = *wend::controllers().find(name);
+      if (drivetrain == "bicycle" && info.turns_in_place) continue;
+      for (const double heading : {0.0, 1e-9, 0.05, wend::kPi}) {
+        SCOPED_TRACE(name + ' ' + drivetrain + ' ' + std::to_string(heading));
+        Driver driver({{"drivetrain", drivetrain}}, name);
+        Poses path;
+        for (int i = 0; i <= 60; ++i) {
+          path.push_back({3 + 1.5 * std::cos(heading) - 0.05 * i * std::cos(heading),
+                          3 - 0.05 * i * std::sin(heading), heading});
+        }
+        driver.robot.state.pose = path.front();
+        ASSERT_TRUE(driver.follower.set_path(path));
+        const auto failure = driver.drive_to(path.back());
+        EXPECT_FALSE(failure) << failure->message;
+        EXPECT_LT(driver.slowest, -0.2);
+        EXPECT_LT(driver.fastest, 0.05);
+        EXPECT_LT(driver.most_turned, 0.3);
+      }
+    }
+  }
+}
+
+TEST(PathFollower, APathThatEndsWithATurnIsNotAtItsEndBeforeTheTurn) {
+  for (const std::string& name : wend::controllers().names()) {
+    SCOPED_TRACE(name);
+    Driver driver({}, name);
+    Poses path = along({{1, 1}, {3, 1}});
+    for (const double heading : {0.8, 1.6, 2.4, 3.0}) path.push_back({3, 1, heading});
+    driver.robot.state.pose = path.front();
+    ASSERT_TRUE(driver.follower.set_path(path));
+    const auto failure = driver.drive_to(path.back());
+    EXPECT_FALSE(failure) << failure->message;
+    EXPECT_NEAR(driver.robot.state.pose.heading, 3, kTolerance);
+  }
+}
+
+TEST(PathFollower, APathOfOnePlaceIsDrivenAtNormalSpeed) {
+  for (const std::string& name : wend::controllers().names()) {
+    for (const std::size_t count : {1U, 2U}) {
+      SCOPED_TRACE(name);
+      Driver driver({}, name);
+      driver.robot.state.pose = {1, 1, 0};
+      const Poses path(count, wend::MapPose{1.7, 1.2, 1});
+      ASSERT_TRUE(driver.follower.set_path(path));
+      const auto failure = driver.drive_to(path.back());
+      EXPECT_FALSE(failure) << failure->message;
+      EXPECT_LT(driver.periods * kPeriod, 6) << "RPP takes 1 to 2 s to 0.6 m";
+    }
+  }
+  Driver driver;
+  driver.robot.state.pose = {1, 1, 0};
+  ASSERT_TRUE(driver.follower.set_path({{3, 3, 0}}));
+  const auto told = driver.step();
+  ASSERT_FALSE(told);
+  EXPECT_THAT(told.error().message, HasSubstr("farther than 1 m"));
+}
+
+TEST(PathFollower, TheSamePathAgainChangesNothing) {
+  for (const std::string& name : wend::controllers().names()) {
+    SCOPED_TRACE(name);
+    const Poses path = along({{1, 1}, {3, 1}, {3, 4}});
+    Driver once({}, name);
+    Driver again({}, name);
+    for (Driver* driver : {&once, &again}) {
+      driver->robot.state.pose = path.front();
+      ASSERT_TRUE(driver->follower.set_path(path));
+    }
+    for (int i = 0; i < 400; ++i) {
+      if (i % 20 == 10) {
+        again.follower.set_goal_tolerance(kTolerance, kTolerance);
+        ASSERT_TRUE(again.follower.set_path(path));
+      }
+      const auto told = once.step();
+      const auto told_again = again.step();
+      ASSERT_TRUE(told && told_again);
+      ASSERT_EQ(*told, *told_again) << i;
+    }
+    EXPECT_LT(distance(again.robot.state.pose.point(), path.back().point()), kTolerance);
+  }
+}
+
+TEST(PathFollower, JoinsAPathInItsMiddleAndDrivesOn) {
+  const Poses path = along({{1, 1}, {5, 1}, {5, 3}, {1, 3}, {1, 5}, {5, 5}});
+  for (const std::string& name : wend::controllers().names()) {
+    for (std::size_t at = 20; at < path.size() - 20; at += 55) {
+      SCOPED_TRACE(name + " at pose " + std::to_string(at));
+      Driver driver({}, name);
+      driver.robot.state.pose = path[at];
+      driver.robot.state.pose.y += 0.1;
+      ASSERT_TRUE(driver.follower.set_path(path));
+      const auto failure = driver.drive_to(path.back());
+      EXPECT_FALSE(failure) << failure->message;
+      const double left = static_cast<double>(path.size() - at) * 0.05;
+      EXPECT_LT(driver.periods * kPeriod, left / 0.2 + 12) << "nothing is driven twice";
+    }
+  }
+}
+
+TEST(PathFollower, GoesOnAfterACancelledDrive) {
+  const Poses path = along({{1, 1}, {5.5, 1}});
+  Driver driver;
+  driver.robot.state.pose = path.front();
+  ASSERT_TRUE(driver.follower.set_path(path));
+  while (driver.robot.state.pose.x < 4.2) ASSERT_TRUE(driver.step());
+  while (!driver.follower.stop()) ASSERT_TRUE(driver.step());
+  driver.follower.reset();
+  ASSERT_TRUE(driver.follower.set_path(path));
+  const auto failure = driver.drive_to(path.back());
+  EXPECT_FALSE(failure) << failure->message;
+}
+
+TEST(PathFollower, JoinsAPathOnItsOwnSideOfAWall) {
+  // The path comes back behind a wall, nearer to the robot than its beginning.
+  Driver driver;
+  for (int x = 5; x < 50; ++x) driver.map.at(x, 15) = 254;
+  const Poses path = along({{1, 1}, {5.4, 1}, {5.4, 1.72}, {1, 1.72}});
+  driver.robot.state.pose = {3, 1.38, 0};
+  ASSERT_TRUE(driver.follower.set_path(path));
+  const auto failure = driver.drive_to({1, 1.72, wend::kPi});
+  EXPECT_FALSE(failure) << failure->message;
+  EXPECT_FALSE(driver.collided);
+}
+
+TEST(PathFollower, ARobotThatDoesNotGetOnIsStuckHoweverOftenItGetsPathsToItsGoal) {
+  for (const bool moved : {false, true}) {
+    Driver driver(wend::OptionValues{{"stuck_time", "2"}});
+    driver.follower.costmap().read(driver.map.layout, driver.map.costs);
+    std::optional<ControlFailure> failure;
+    int periods = 0;
+    for (; periods < 100 && !failure; ++periods) {
+      // Each half second a path from where the robot is, or a little beside it.
+      if (periods % 10 == 0) {
+        const double begin = moved ? 1 + 0.001 * periods : 1;
+        ASSERT_TRUE(driver.follower.set_path(along({{begin, 1}, {5, 1}})));
+      }
+      const auto told = driver.follower.command({{1, 1, 0}, {1, 1, 0}, {}, kDisc, kPeriod});
+      if (!told) failure = told.error();
+    }
+    ASSERT_TRUE(failure);
+    EXPECT_EQ(failure->kind, ControlFailureKind::no_progress);
+    EXPECT_NEAR(periods * kPeriod, 2, 0.3);
+  }
+}
+
+/// A wall in the world, and a costmap that is turned and moved against it, as one in an odometry frame is: a cell is
+/// lethal if its middle is in the wall, as a rolling static layer has it, and 253 within `inscribed` of one that is.
+struct TurnedWall {
+  wend::MapPose costmap;  // its origin in the world
+  double begin = 3;       // the wall is at x from here on
+  Costmap map = empty_costmap(100, 100, 0.05);
+
+  wend::MapPoint in_world(wend::MapPoint at) const {
+    const double c = std::cos(costmap.heading);
+    const double s = std::sin(costmap.heading);
+    return {costmap.x + c * at.x - s * at.y, costmap.y + s * at.x + c * at.y};
+  }
+
+  void draw(double inscribed) {
+    std::vector<wend::MapPoint> lethal;
+    for (int y = 0; y < 100; ++y) {
+      for (int x = 0; x < 100; ++x) {
+        const wend::MapPoint middle = middle_of(map, x, y).point();
+        const double at = in_world(middle).x;
+        if (at >= begin && at <= begin + 0.3) lethal.push_back(middle);
+      }
+    }
+    for (int y = 0; y < 100; ++y) {
+      for (int x = 0; x < 100; ++x) {
+        const wend::MapPoint middle = middle_of(map, x, y).point();
+        double gap = 9;
+        for (const wend::MapPoint& other : lethal) gap = std::min(gap, distance(middle, other));
+        map.at(x, y) = gap == 0 ? 254 : gap <= inscribed ? 253 : 0;
+      }
+    }
+  }
+};
+
+RC_GTEST_PROP(PathFollower, NeverStopsInTheEdgeOfAnObstacleOfATurnedCostmap, ()) {
+  const double turn = *rc::gen::inRange(-314, 314) / 100.0;
+  const double radius = *rc::gen::inRange(15, 26) / 100.0;
+  const double course = *rc::gen::inRange(-60, 61) / 100.0;
+  // The costmap's middle is near (2, 0) of the world.
+  const wend::MapPoint middle{2 + *rc::gen::inRange(0, 50) / 1000.0,
+                              *rc::gen::inRange(0, 50) / 1000.0};
+  TurnedWall wall{{middle.x - 2.5 * std::cos(turn) + 2.5 * std::sin(turn),
+                   middle.y - 2.5 * std::sin(turn) - 2.5 * std::cos(turn), turn}};
+  wall.draw(radius);
+  const RobotShape shape{wend::Footprint::disc(radius), true};
+  PathFollower follower;
+  const auto name = *rc::gen::elementOf(wend::controllers().names());
+  follower.set(*control_settings_from(name, {}));
+  follower.costmap().read(wall.map.layout, wall.map.costs);
+  wend::MapPose at{1.5, -std::tan(course), course};  // in the world
+  const wend::MapPoint end{4.5, 2 * std::tan(course)};
+  RC_ASSERT(follower.set_path(along({at.point(), end})).has_value());
+  bool blocked = false;
+  for (int i = 0; i < 400 && !blocked; ++i) {
+    const double c = std::cos(-turn);
+    const double s = std::sin(-turn);
+    const double x = at.x - wall.costmap.x;
+    const double y = at.y - wall.costmap.y;
+    const wend::MapPose in_costmap{c * x - s * y, s * x + c * y,
+                                   wend::normalized_angle(at.heading - turn)};
+    const auto told = follower.command({at, in_costmap, {}, shape, kPeriod});
+    blocked = !told;
+    if (told) at = wend::hold(at, *told, kPeriod).to.pose;
+    RC_ASSERT(at.x + radius <= wall.begin + 1e-9);
+  }
+  RC_ASSERT(blocked);
+  RC_ASSERT(at.x + radius > wall.begin - 0.2);
+}
+
+TEST(PathFollower, DrivesThroughAPassageThatTheRobotJustFitsIn) {
+  // Walls at 1.9 and 2.3 m leave 0.4 m, cells of 0.1 m, and the robot has 0.38 m.
+  Driver driver;
+  for (int x = 20; x < 40; ++x) driver.map.at(x, 18) = driver.map.at(x, 23) = 254;
+  const RobotShape shape{wend::Footprint::disc(0.19), true};
+  driver.robot.radius = 0.19;
+  driver.shape = shape;
+  const Poses path = along({{1, 2.1}, {5, 2.1}});
+  driver.robot.state.pose = path.front();
+  ASSERT_TRUE(driver.follower.set_path(path));
+  const auto failure = driver.drive_to(path.back());
+  EXPECT_FALSE(failure) << failure->message;
+  EXPECT_FALSE(driver.collided);
+}
+
+/// Costs as an inflation layer of Nav2 makes them of lethal cells.
+Costmap inflated(const Costmap& bare, double inscribed, double inflation) {
+  Costmap map = bare;
+  for (int y = 0; y < map.layout.height; ++y) {
+    for (int x = 0; x < map.layout.width; ++x) {
+      double gap = 99;
+      for (int b = 0; b < map.layout.height; ++b) {
+        for (int a = 0; a < map.layout.width; ++a) {
+          if (bare.at(a, b) == 254) gap = std::min(gap, std::hypot(a - x, b - y));
+        }
+      }
+      gap *= map.layout.resolution;
+      if (gap > inflation || bare.at(x, y) == 254) continue;
+      const double cost = gap <= inscribed ? 253 : 252 * std::exp(-3 * (gap - inscribed));
+      map.at(x, y) = static_cast<std::uint8_t>(cost);
+    }
+  }
+  return map;
+}
+
+TEST(PathFollower, DrivesThePathsOfPlannersInAnInflatedCostmap) {
+  // The corners of these walls are where paths come nearest to obstacles.
+  Costmap bare = empty_costmap(100, 60, 0.05);
+  for (int y = 0; y < 40; ++y) bare.at(30, y) = 254;
+  for (int y = 20; y < 60; ++y) bare.at(60, y) = 254;
+  for (int i = 0; i < 12; ++i) bare.at(72 + i, 12 + i) = bare.at(73 + i, 12 + i) = 254;
+  const Costmap map = inflated(bare, 0.2, 0.55);
+  const RobotShape shape{wend::Footprint::disc(0.2), true};
+  for (const std::string name : {"astar", "jps", "any_angle", "theta_star", "hybrid_astar"}) {
+    PathPlanner planner;
+    planner.set(*settings_from(name, {}));
+    planner.costmap().read(map.layout, map.costs);
+    const auto path = planner.plan({{0.5, 0.5, 1}, {4.6, 0.9, 0}, shape}, {});
+    ASSERT_TRUE(path) << path.error().message;
+    // Paths of planners that count no costs touch obstacles, and pure pursuit cuts corners.
+    const bool counts_costs = wend::planners().find(name)->capabilities.terrain;
+    for (const std::string controller : {"pure_pursuit", "stanley", "pid"}) {
+      if (controller == "pure_pursuit" && !counts_costs) continue;
+      SCOPED_TRACE(name + " and " + controller);
+      Driver driver({}, controller);
+      driver.map = map;
+      driver.shape = shape;
+      driver.robot.radius = 0.2;
+      driver.robot.state.pose = path->front();
+      ASSERT_TRUE(driver.follower.set_path(*path));
+      const auto failure = driver.drive_to(path->back());
+      EXPECT_FALSE(failure) << failure->message;
+      EXPECT_FALSE(driver.collided);
+    }
+  }
 }
 
 TEST(PathFollower, SaysWhenTheRobotDoesNotMove) {

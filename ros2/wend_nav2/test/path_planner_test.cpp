@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "costmaps.hpp"
+#include "simulated_robot.hpp"
 
 namespace wend_nav2 {
 namespace {
@@ -23,6 +24,12 @@ const RobotShape kRoundRobot{wend::Footprint::disc(0.1), true};
 
 PlannerSettings settings_of(std::string_view planner, const wend::OptionValues& values = {}) {
   return *settings_from(planner, values);
+}
+
+/// For maps that are drawn as if inflated.
+PlannerSettings inscribed(std::string_view planner, wend::OptionValues values = {}) {
+  values.emplace_back("obstacles", "inscribed");
+  return settings_of(planner, values);
 }
 
 wend::Expected<PathPlanner::Poses, Failure> plan(PathPlanner& planner, const Costmap& map,
@@ -96,8 +103,8 @@ RC_GTEST_PROP(PathPlanner, FindsAPathOfFreeCellsIfThereIsOneAndSaysWhyElse, ()) 
   const int gy = *rc::gen::inRange(0, height);
   const auto name =
       *rc::gen::elementOf(std::vector<std::string>{"astar", "jps", "theta_star", "any_angle"});
-  const auto planned = plan_once(settings_of(name, {{"tolerance", "0"}}), map,
-                                 middle_of(map, sx, sy), middle_of(map, gx, gy));
+  const auto planned = plan_once(inscribed(name, {{"tolerance", "0"}}), map, middle_of(map, sx, sy),
+                                 middle_of(map, gx, gy));
   if (map.at(sx, sy) >= 253) {
     RC_ASSERT(kind_of(planned) == "start_occupied");
   } else if (map.at(gx, gy) >= 253) {
@@ -123,7 +130,7 @@ TEST(PathPlanner, BeginsAndEndsWhereItWasAskedTo) {
   const wend::MapPose start{0.23, 0.17, 1};
   const wend::MapPose goal{1.44, 0.51, -2};
   for (const std::string planner : {"astar", "theta_star", "hybrid_astar"}) {
-    const auto planned = plan_once(settings_of(planner), map, start, goal);
+    const auto planned = plan_once(inscribed(planner), map, start, goal);
     ASSERT_EQ(kind_of(planned), "found") << planned.error().message;
     EXPECT_NEAR(planned->front().x, start.x, 1e-6) << planner;
     EXPECT_NEAR(planned->front().y, start.y, 1e-6) << planner;
@@ -135,7 +142,7 @@ TEST(PathPlanner, BeginsAndEndsWhereItWasAskedTo) {
 
 TEST(PathPlanner, OfOneCellGoesFromPoseToPose) {
   const Costmap map = empty_costmap(4, 4);
-  const auto planned = plan_once(settings_of("astar"), map, {0.12, 0.12, 0}, {0.18, 0.18, 1});
+  const auto planned = plan_once(inscribed("astar"), map, {0.12, 0.12, 0}, {0.18, 0.18, 1});
   ASSERT_EQ(kind_of(planned), "found");
   ASSERT_EQ(planned->size(), 2U);
   EXPECT_EQ(planned->back(), (wend::MapPose{0.18, 0.18, 1}));
@@ -150,7 +157,7 @@ TEST(PathPlanner, NeverTakesABoxedInStartForAnOccupiedOne) {
   });
   const wend::MapPose free = middle_of(map, 8, 2);
   const auto kind = [&](const wend::MapPose& start, const wend::MapPose& goal) {
-    return kind_of(plan_once(settings_of("astar", {{"tolerance", "0"}}), map, start, goal));
+    return kind_of(plan_once(inscribed("astar", {{"tolerance", "0"}}), map, start, goal));
   };
   EXPECT_EQ(kind(middle_of(map, 2, 1), free), "no_valid_path");
   EXPECT_EQ(kind(middle_of(map, 4, 1), free), "start_occupied");
@@ -161,7 +168,7 @@ TEST(PathPlanner, NeverTakesABoxedInStartForAnOccupiedOne) {
 
 TEST(PathPlanner, ASearchWithoutTimeIsNoProofThatThereIsNoPath) {
   const Costmap map = costmap_of({"..#..", "..#.."});
-  const auto planned = plan_once(settings_of("astar", {{"time_limit", "1e-9"}}), map,
+  const auto planned = plan_once(inscribed("astar", {{"time_limit", "1e-9"}}), map,
                                  middle_of(map, 0, 0), middle_of(map, 4, 0));
   EXPECT_EQ(kind_of(planned), "timed_out");
 }
@@ -169,7 +176,7 @@ TEST(PathPlanner, ASearchWithoutTimeIsNoProofThatThereIsNoPath) {
 TEST(PathPlanner, StopsWhenItIsCancelled) {
   const Costmap map = empty_costmap(200, 200);
   PathPlanner planner;
-  planner.set(settings_of("dijkstra"));
+  planner.set(inscribed("dijkstra"));
   int asked = 0;
   const auto after = [&](int calls) { return [&asked, calls] { return ++asked > calls; }; };
   EXPECT_EQ(kind_of(plan(planner, map, middle_of(map, 0, 0), middle_of(map, 199, 199), kRoundRobot,
@@ -198,9 +205,9 @@ TEST(PathPlanner, EndsNearAGoalThatCannotBeReachedIfItMay) {
   const wend::MapPose start = middle_of(map, 0, 2);
   for (const int x : {8, 9}) {
     const wend::MapPose goal = middle_of(map, x, 2);
-    const auto refused = plan_once(settings_of("astar", {{"tolerance", "0"}}), map, start, goal);
+    const auto refused = plan_once(inscribed("astar", {{"tolerance", "0"}}), map, start, goal);
     EXPECT_EQ(kind_of(refused), x == 8 ? "no_valid_path" : "goal_occupied");
-    const auto planned = plan_once(settings_of("astar", {{"tolerance", "0.4"}}), map, start, goal);
+    const auto planned = plan_once(inscribed("astar", {{"tolerance", "0.4"}}), map, start, goal);
     ASSERT_EQ(kind_of(planned), "found");
     EXPECT_LE(distance(planned->back().point(), goal.point()), 0.4 + 1e-9);
     EXPECT_LT(cost_at(map, planned->back()), 253);
@@ -210,7 +217,7 @@ TEST(PathPlanner, EndsNearAGoalThatCannotBeReachedIfItMay) {
 TEST(PathPlanner, AnsweringAfterChangesIsAnsweringAnew) {
   for (const std::string name : {"astar", "jps", "d_star_lite"}) {
     PathPlanner warm;
-    warm.set(settings_of(name, {{"smooth", "false"}}));
+    warm.set(inscribed(name, {{"smooth", "false"}}));
     Costmap map = costmap_of(kDoor);
     const wend::MapPose start = middle_of(map, 1, 4);
     const wend::MapPose goal = middle_of(map, 14, 0);
@@ -246,8 +253,7 @@ TEST(PathPlanner, ARobotThatIsNotRoundFitsWithItsFootprint) {
   // Its circumscribed disc, which planners on cells need, does not pass the gap of 0.4 m.
   const auto astar = settings_of("astar", {{"tolerance", "0"}});
   EXPECT_EQ(kind_of(plan_once(astar, map, start, goal, box)), "no_valid_path");
-  const auto inscribed = settings_of("astar", {{"obstacles", "inscribed"}});
-  EXPECT_EQ(kind_of(plan_once(inscribed, map, start, goal, box)), "found");
+  EXPECT_EQ(kind_of(plan_once(inscribed("astar"), map, start, goal, box)), "found");
   const std::vector<wend::MapPoint> wide{{0.3, 0.25}, {-0.3, 0.25}, {-0.3, -0.25}, {0.3, -0.25}};
   EXPECT_EQ(kind_of(plan_once(hybrid, map, start, goal, {*footprint_from(wide), true})),
             "no_valid_path");
@@ -256,13 +262,13 @@ TEST(PathPlanner, ARobotThatIsNotRoundFitsWithItsFootprint) {
 TEST(PathPlanner, DrivesIntoUnknownCellsOnlyIfItMay) {
   const Costmap map = costmap_of({"..??..", "..??.."});
   const auto ask = [&](const std::string& allowed) {
-    return kind_of(plan_once(settings_of("astar", {{"allow_unknown", allowed}}), map,
+    return kind_of(plan_once(inscribed("astar", {{"allow_unknown", allowed}}), map,
                              middle_of(map, 0, 0), middle_of(map, 5, 1)));
   };
   EXPECT_EQ(ask("true"), "found");
   EXPECT_EQ(ask("false"), "found") << "as near to the goal as the tolerance says";
   const Costmap wide = costmap_of({"..?????????.."});
-  EXPECT_EQ(kind_of(plan_once(settings_of("astar", {{"allow_unknown", "false"}}), wide,
+  EXPECT_EQ(kind_of(plan_once(inscribed("astar", {{"allow_unknown", "false"}}), wide,
                               middle_of(wide, 0, 0), middle_of(wide, 12, 0))),
             "no_valid_path");
 }
@@ -276,7 +282,7 @@ TEST(PathPlanner, CostsKeepThePathAwayAsFarAsTheFactorSays) {
   });
   const auto dearest = [&](const std::string& factor) {
     const auto planned =
-        plan_once(settings_of("astar", {{"cost_factor", factor}, {"smooth", "false"}}), map,
+        plan_once(inscribed("astar", {{"cost_factor", factor}, {"smooth", "false"}}), map,
                   middle_of(map, 0, 1), middle_of(map, 6, 1));
     std::uint8_t most = 0;
     for (const wend::MapPose& pose : *planned) most = std::max(most, cost_at(map, pose));
@@ -284,6 +290,38 @@ TEST(PathPlanner, CostsKeepThePathAwayAsFarAsTheFactorSays) {
   };
   EXPECT_EQ(dearest("4"), 0);
   EXPECT_EQ(dearest("0"), 252);
+}
+
+RC_GTEST_PROP(PathPlanner, KeepsARoundRobotOutOfObstaclesByItsRadius, ()) {
+  Costmap map = empty_costmap(24, 24, 0.05);
+  const int walls = *rc::gen::inRange(0, 30);
+  for (int i = 0; i < walls; ++i) {
+    const int x = *rc::gen::inRange(0, 24);
+    const int y = *rc::gen::inRange(0, 24);
+    map.at(x, y) = 254;
+  }
+  const double radius = *rc::gen::inRange(3, 16) / 100.0;
+  const RobotShape robot{wend::Footprint::disc(radius), true};
+  const auto name = *rc::gen::elementOf(
+      std::vector<std::string>{"astar", "jps", "any_angle", "theta_star", "hybrid_astar"});
+  const auto planned = plan_once(settings_of(name, {{"spacing", "0.01"}}), map,
+                                 middle_of(map, 4, 4, 1), middle_of(map, 19, 19, 2), robot);
+  if (!planned) return;
+  for (const wend::MapPose& pose : *planned) RC_ASSERT(!test::collides(map, pose, radius));
+}
+
+TEST(PathPlanner, NamesTheEndThatIsNotFinite) {
+  const Costmap map = empty_costmap(5, 5);
+  const wend::MapPose middle = middle_of(map, 2, 2);
+  for (const double number : {std::nan(""), double{INFINITY}}) {
+    const auto start = plan_once(settings_of("astar"), map, {number, 0.2, 0}, middle);
+    ASSERT_EQ(kind_of(start), "other");
+    EXPECT_EQ(start.error().message.find("the start ("), 0U);
+    const auto goal = plan_once(settings_of("astar"), map, middle, {0.2, 0.2, number});
+    ASSERT_EQ(kind_of(goal), "other");
+    EXPECT_EQ(goal.error().message, "the goal (0.2, 0.2) contains NaN or infinity");
+  }
+  EXPECT_EQ(kind_of(plan_once(settings_of("astar"), map, middle, {1e300, 0, 0})), "goal_outside");
 }
 
 TEST(PathPlanner, WrongOptionsOfAPlannerAreAnInvalidPlanner) {

@@ -5,7 +5,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "costmaps.hpp"
@@ -127,6 +129,64 @@ TEST(PathSmoother, RefusesAPathThatIsNotFree) {
   const auto smoothed = smooth(map, path);
   ASSERT_FALSE(smoothed);
   EXPECT_EQ(to_string(smoothed.error().kind), "no_valid_path");
+}
+
+TEST(PathSmoother, RefusesWhatIsNotFiniteOrOffTheCostmapWithThePlace) {
+  const Costmap map = empty_costmap(40, 20);
+  const auto fault_of = [&](std::size_t at, const wend::MapPose& pose, const std::string& name) {
+    Poses path = path_through(map, {{2, 2}, {32, 2}});
+    path[at] = pose;
+    const auto smoothed = smooth(map, path, name);
+    if (smoothed) return std::string("none");
+    EXPECT_EQ(to_string(smoothed.error().kind), "no_valid_path");
+    return smoothed.error().message;
+  };
+  for (const std::string name : {"gradient", "curvature"}) {
+    for (const std::size_t at : {0U, 15U, 30U}) {
+      const std::string pose = "pose " + std::to_string(at) + " of the path";
+      for (const double number : {std::nan(""), double{INFINITY}, -double{INFINITY}, 1e300, 1e7}) {
+        EXPECT_EQ(fault_of(at, {number, 0.25, 0}, name).find(pose), 0U) << number;
+        EXPECT_EQ(fault_of(at, {0.25, -number, 0}, name).find(pose), 0U) << number;
+      }
+      EXPECT_EQ(fault_of(at, {0.25, 0.25, std::nan("")}, name).find(pose), 0U);
+    }
+  }
+  EXPECT_EQ(fault_of(15, {4.5, 0.25, 0}, "gradient"),
+            "pose 15 of the path, (4.5, 0.25), is outside the costmap, which reaches from (0, 0) "
+            "to (4, 2)");
+  PathSmoother smoother;
+  EXPECT_FALSE(smoother.smooth({{1, 1, 0}, {std::nan(""), 1, 0}}, kSmallDisc, never));
+}
+
+TEST(PathSmoother, AStraightPathInReverseKeepsItsHeadingsAtZeroToo) {
+  const Costmap map = empty_costmap(60, 20);
+  for (const std::string name : {"gradient", "curvature"}) {
+    for (const double heading : {0.0, 1e-9, 0.01}) {
+      Poses path;
+      for (int i = 0; i <= 40; ++i) {
+        path.push_back({5 - 0.1 * i, 1 - 0.1 * i * std::tan(heading), heading});
+      }
+      const auto smoothed = smooth(map, path, name);
+      ASSERT_TRUE(smoothed) << smoothed.error().message;
+      for (const wend::MapPose& pose : smoothed->poses) EXPECT_NEAR(pose.heading, heading, 1e-3);
+    }
+  }
+}
+
+TEST(PathSmoother, TakesThePathsThatKeepOnlyTheCentreOutOfInscribedCells) {
+  // A lethal cell, and around it what inflation by 0.1 m marks: the path passes at 0.09 m.
+  Costmap map = empty_costmap(20, 20, 0.05);
+  map.at(10, 10) = 254;
+  for (const auto& [x, y] : {std::pair{9, 10}, {11, 10}, {10, 9}, {10, 11}}) map.at(x, y) = 253;
+  Poses path;
+  for (int i = 0; i <= 16; ++i) path.push_back({0.1 + 0.05 * i, 0.6, 0.01});
+  for (const bool inflated : {true, false}) {
+    PathSmoother smoother;
+    smoother.costmap().read(map.layout, map.costs);
+    const auto smoothed =
+        smoother.smooth(path, RobotShape{wend::Footprint::disc(0.1), inflated}, never);
+    EXPECT_EQ(smoothed.has_value(), inflated);
+  }
 }
 
 TEST(PathSmoother, LeavesTheRestAsItIsWhenTheTimeIsUp) {

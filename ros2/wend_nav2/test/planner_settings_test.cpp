@@ -62,5 +62,19 @@ TEST(PlannerSettings, SaysWhatIsWrong) {
   EXPECT_TRUE(planner_schema("astra").planner.empty());
 }
 
+TEST(PlannerSettings, RefuseWhatTheSearchWouldRefuse) {
+  const auto fault_of = [](const wend::OptionValues& values) {
+    const auto settings = settings_from("hybrid_astar", values);
+    return settings ? std::string("none") : settings.error().message;
+  };
+  EXPECT_NE(fault_of({{"turning_radius", "0"}}).find("turning_radius"), std::string::npos);
+  EXPECT_EQ(fault_of({{"turning_radius", "0"}, {"motion_model", "differential"}}), "none");
+  for (const char* number : {"nan", "-nan", "inf", "-1", "1e300"}) {
+    EXPECT_NE(fault_of({{"turning_radius", number}}).find("turning_radius"), std::string::npos)
+        << number;
+    EXPECT_NE(fault_of({{"time_limit", number}}).find("time_limit"), std::string::npos) << number;
+  }
+}
+
 }  // namespace
 }  // namespace wend_nav2

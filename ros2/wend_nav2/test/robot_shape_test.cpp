@@ -48,15 +48,11 @@ TEST(RobotShape, IsReadFromText) {
   EXPECT_FALSE(footprint_from("rect:0.7"));
 }
 
-TEST(RobotShape, ARoundRobotInAnInflatedCostmapIsAPoint) {
-  const RobotShape round{wend::Footprint::disc(0.2), true};
-  const RobotShape bare{wend::Footprint::disc(0.2), false};
+TEST(RobotShape, OnlyTheRuleInscribedMakesARobotAPoint) {
   const RobotShape box{*footprint_from(kBox), true};
-  EXPECT_EQ(rule_for(ObstacleRule::automatic, round), ObstacleRule::inscribed);
-  EXPECT_EQ(rule_for(ObstacleRule::automatic, bare), ObstacleRule::footprint);
-  EXPECT_EQ(rule_for(ObstacleRule::automatic, box), ObstacleRule::footprint);
-  EXPECT_EQ(rule_for(ObstacleRule::inscribed, box), ObstacleRule::inscribed);
-  EXPECT_EQ(rule_for(ObstacleRule::footprint, round), ObstacleRule::footprint);
+  EXPECT_EQ(rule_for(ObstacleRule::automatic), ObstacleRule::footprint);
+  EXPECT_EQ(rule_for(ObstacleRule::inscribed), ObstacleRule::inscribed);
+  EXPECT_EQ(rule_for(ObstacleRule::footprint), ObstacleRule::footprint);
   EXPECT_TRUE(robot_for(ObstacleRule::inscribed, box, true).footprint.is_point());
   EXPECT_EQ(robot_for(ObstacleRule::footprint, box, true).footprint, box.footprint);
   EXPECT_TRUE(scale_for(ObstacleRule::inscribed, 4).inscribed_blocked);

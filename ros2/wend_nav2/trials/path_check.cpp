@@ -8,25 +8,18 @@
 
 #include "../src/conversions.hpp"
 #include "../src/pose_messages.hpp"
+#include "wend/control/given_route.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend_nav2/robot_shape.hpp"
 
 namespace wend_nav2::trials {
-namespace {
-
-bool has_headings(const std::vector<wend::MapPose>& poses) {
-  return std::any_of(poses.begin(), poses.end() - 1,
-                     [&](const wend::MapPose& pose) { return pose.heading != poses[0].heading; });
-}
-
-}  // namespace
-
 PathCheck::PathCheck(nav2_costmap_2d::Costmap2DROS& costmap) {
   const auto footprint = footprint_from(costmap.getRobotFootprint());
   if (!footprint) throw std::runtime_error(footprint.error().message);
   const RobotShape shape{*footprint, true};
   round_ = footprint->outline() == nullptr;
-  const ObstacleRule rule = rule_for(ObstacleRule::automatic, shape);
+  const bool is_point = shape.footprint.outline() == nullptr && shape.inflated;
+  const ObstacleRule rule = is_point ? ObstacleRule::inscribed : ObstacleRule::footprint;
   const auto& costs = *costmap.getCostmap();
   const CostmapLayout layout{.width = static_cast<int>(costs.getSizeInCellsX()),
                              .height = static_cast<int>(costs.getSizeInCellsY()),
@@ -46,9 +39,10 @@ bool PathCheck::fits(const wend::MapPose& pose) const {
 }
 
 bool PathCheck::is_free(const nav_msgs::msg::Path& path) const {
-  std::vector<wend::MapPose> poses;
-  for (const auto& stamped : path.poses) poses.push_back(pose_from(stamped.pose));
-  const bool headed = has_headings(poses);
+  const auto taken = poses_from(path);
+  if (!taken) throw std::runtime_error(taken.error());
+  const std::vector<wend::MapPose>& poses = *taken;
+  const bool headed = wend::headings_count(poses);
   const double half_cell = space_->map().frame().resolution / 2;
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     const wend::MapPose& a = poses[i];

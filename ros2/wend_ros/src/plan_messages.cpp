@@ -34,14 +34,17 @@ Marker arrow(const nav_msgs::msg::Path& path, int id, const geometry_msgs::msg::
 
 }  // namespace
 
-OccupancyLayout layout_of(const nav_msgs::msg::OccupancyGrid& map) {
-  return {.frame_id = map.header.frame_id,
-          .width = map.info.width,
-          .height = map.info.height,
-          .frame = {.resolution = map.info.resolution,
-                    .origin = wend_nav2::pose_from(map.info.origin),
-                    .y_up = true,
-                    .metric = true}};
+wend::Expected<OccupancyLayout, wend::Error> layout_of(const nav_msgs::msg::OccupancyGrid& map) {
+  const auto origin = wend_nav2::pose_from(map.info.origin, wend_nav2::Tilt::flat);
+  if (!origin) {
+    return wend::failure(wend::Status::invalid_map, "the map's origin: " + origin.error());
+  }
+  return OccupancyLayout{
+      .frame_id = map.header.frame_id,
+      .width = map.info.width,
+      .height = map.info.height,
+      .frame = {
+          .resolution = map.info.resolution, .origin = *origin, .y_up = true, .metric = true}};
 }
 
 OccupancyUpdate update_of(const map_msgs::msg::OccupancyGridUpdate& update) {

@@ -8,13 +8,16 @@
 #include <nav_msgs/msg/path.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
+#include "wend/base/error.hpp"
+#include "wend/base/expected.hpp"
 #include "wend_nav2/failure.hpp"
 #include "wend_ros/occupancy.hpp"
 #include "wend_ros/status_codes.hpp"
 
 namespace wend_ros {
 
-OccupancyLayout layout_of(const nav_msgs::msg::OccupancyGrid& map);
+/// Fails with invalid_map, and the reason, if the origin's orientation is none, or is tilted.
+wend::Expected<OccupancyLayout, wend::Error> layout_of(const nav_msgs::msg::OccupancyGrid& map);
 
 /// A view of the message.
 OccupancyUpdate update_of(const map_msgs::msg::OccupancyGridUpdate& update);

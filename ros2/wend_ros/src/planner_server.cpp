@@ -10,10 +10,12 @@
 // metres, or a text such as "rect:0.8x0.5,0.2", instead of a radius), occupied_from, robot_frame.
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -35,6 +37,7 @@
 #include "plugin_parameters.hpp"
 #include "pose_messages.hpp"
 #include "wend_nav2/path_planner.hpp"
+#include "wend_ros/node_settings.hpp"
 #include "wend_ros/occupancy_costs.hpp"
 
 namespace wend_ros {
@@ -54,34 +57,68 @@ wend::Unexpected<Failure> tf_failure(const std::string& message) {
   return wend::Unexpected<Failure>(Failure{FailureKind::tf_error, message});
 }
 
-/// The robot of the parameters: a shape as text or as corners, or a disc.
-wend::Footprint footprint_of(const rclcpp::ParameterValue& shape, double radius) {
-  if (shape.get_type() == rclcpp::ParameterType::PARAMETER_STRING) {
-    const auto text = shape.get<std::string>();
-    if (text.empty()) return wend::Footprint::disc(radius);
-    const auto footprint = wend_nav2::footprint_from(text);
-    if (!footprint) throw std::runtime_error("footprint: " + footprint.error().message);
-    return *footprint;
-  }
-  const auto corners = shape.get<std::vector<double>>();
-  if (corners.empty()) return wend::Footprint::disc(radius);
-  if (corners.size() % 2 != 0) {
-    throw std::runtime_error("footprint: an even count of numbers expected: x1, y1, x2, y2, ...");
-  }
-  std::vector<wend::MapPoint> points;
-  for (std::size_t i = 0; i < corners.size(); i += 2) {
-    points.push_back({corners[i], corners[i + 1]});
-  }
-  const auto footprint = wend_nav2::footprint_from(points);
-  if (!footprint) throw std::runtime_error("footprint: " + footprint.error().message);
-  return *footprint;
+/// A parameter that stays as it is while the node runs.
+rclcpp::ParameterValue fixed(rclcpp::Node& node, const std::string& name,
+                             const rclcpp::ParameterValue& default_value, const std::string& help) {
+  rcl_interfaces::msg::ParameterDescriptor descriptor;
+  descriptor.description = help;
+  descriptor.read_only = true;
+  descriptor.dynamic_typing = true;  // "robot_radius: 1" is a whole number to YAML
+  return node.declare_parameter(name, default_value, descriptor);
 }
 
-/// Of a parameter that may be a text or numbers.
-rcl_interfaces::msg::ParameterDescriptor any_type() {
-  rcl_interfaces::msg::ParameterDescriptor descriptor;
-  descriptor.dynamic_typing = true;
-  return descriptor;
+[[noreturn]] void refuse(const std::string& name, const rclcpp::ParameterValue& value) {
+  throw std::runtime_error("option '" + name + "': '" + rclcpp::to_string(value) +
+                           "' is of another type than expected");
+}
+
+double number_of(const std::string& name, const rclcpp::ParameterValue& value) {
+  switch (value.get_type()) {
+    case rclcpp::ParameterType::PARAMETER_INTEGER:
+      return static_cast<double>(value.get<std::int64_t>());
+    case rclcpp::ParameterType::PARAMETER_DOUBLE:
+      return value.get<double>();
+    default:
+      refuse(name, value);
+  }
+}
+
+std::vector<double> numbers_of(const std::string& name, const rclcpp::ParameterValue& value) {
+  switch (value.get_type()) {
+    case rclcpp::ParameterType::PARAMETER_INTEGER_ARRAY: {
+      const auto& whole = value.get<std::vector<std::int64_t>>();
+      return {whole.begin(), whole.end()};
+    }
+    case rclcpp::ParameterType::PARAMETER_DOUBLE_ARRAY:
+      return value.get<std::vector<double>>();
+    default:
+      refuse(name, value);
+  }
+}
+
+NodeSettings settings_of(rclcpp::Node& node) {
+  const NodeSettings defaults;
+  const auto value = [&](const std::string& name, const auto& default_value,
+                         const std::string& help) {
+    return fixed(node, name, rclcpp::ParameterValue(default_value), help);
+  };
+  const auto radius = value("robot_radius", defaults.robot_radius, "radius of the robot, m");
+  const auto corners = value("footprint", defaults.footprint,
+                             "corners x1, y1, x2, y2, ... in metres, or a text such as rect:0.8x0.5,0.2, in place of "
+                             "the radius");
+  const auto occupied = value("occupied_from", defaults.occupied_from,
+                              "values of the map from here on are obstacles");
+  const auto frame = value("robot_frame", defaults.robot_frame, "frame of the robot");
+  if (occupied.get_type() != rclcpp::ParameterType::PARAMETER_INTEGER) {
+    refuse("occupied_from", occupied);
+  }
+  if (frame.get_type() != rclcpp::ParameterType::PARAMETER_STRING) refuse("robot_frame", frame);
+  const bool written = corners.get_type() == rclcpp::ParameterType::PARAMETER_STRING;
+  return {.robot_radius = number_of("robot_radius", radius),
+          .footprint = written ? std::vector<double>{} : numbers_of("footprint", corners),
+          .shape = written ? corners.get<std::string>() : std::string(),
+          .occupied_from = occupied.get<std::int64_t>(),
+          .robot_frame = frame.get<std::string>()};
 }
 
 class PlannerServer : public rclcpp::Node {
@@ -92,23 +129,27 @@ class PlannerServer : public rclcpp::Node {
 
   PlannerServer()
       : Node("planner_server"),
-        map_(static_cast<int>(declare_parameter("occupied_from", 65))),
-        robot_frame_(declare_parameter("robot_frame", "base_link")),
-        robot_{footprint_of(
-                   declare_parameter("footprint", rclcpp::ParameterValue(std::vector<double>{}),
-                                     any_type()),
-                   declare_parameter("robot_radius", 0.2)),
-               false},
         parameters_(get_node_parameters_interface(), ""),
-        transforms_(get_clock()),
-        listener_(transforms_) {
+        transforms_(get_clock()) {
+    read_settings();
     read_parameters();
+    // A listener that goes before it has spun, as one that throws leaves it behind, waits for ever.
+    listener_.emplace(transforms_);
     publish_and_subscribe();
     serve();
     RCLCPP_INFO(get_logger(), "plans with wend's %s", planner_name_.c_str());
   }
 
  private:
+  void read_settings() {
+    const NodeSettings settings = settings_of(*this);
+    const auto footprint = robot_from(settings);
+    if (!footprint) throw std::runtime_error(footprint.error().message);
+    robot_ = {*footprint, false};
+    robot_frame_ = settings.robot_frame;
+    map_ = OccupancyCosts(static_cast<int>(settings.occupied_from));
+  }
+
   void read_parameters() {
     const wend_nav2::PlannerSchema of_all = wend_nav2::planner_schema("");
     planner_name_ =
@@ -137,7 +178,7 @@ class PlannerServer : public rclcpp::Node {
     maps_ = create_subscription<nav_msgs::msg::OccupancyGrid>(
         "map", latched, [this](const nav_msgs::msg::OccupancyGrid& map) {
           const std::lock_guard lock(map_mutex_);
-          warn_unless(map_.take(layout_of(map), map.data));
+          take(map);
         });
     updates_ = create_subscription<map_msgs::msg::OccupancyGridUpdate>(
         "map_updates", rclcpp::QoS(10), [this](const map_msgs::msg::OccupancyGridUpdate& update) {
@@ -155,6 +196,14 @@ class PlannerServer : public rclcpp::Node {
           answer<Service::Response>(request, {});
         },
         options);
+  }
+
+  /// A map that is none leaves no map.
+  void take(const nav_msgs::msg::OccupancyGrid& map) {
+    const auto layout = layout_of(map);
+    if (layout) return warn_unless(map_.take(*layout, map.data));
+    map_.clear();
+    warn_unless(wend::Unexpected<wend::Error>(layout.error()));
   }
 
   void warn_unless(const wend::Expected<void, wend::Error>& taken) const {
@@ -257,10 +306,12 @@ class PlannerServer : public rclcpp::Node {
       planner_.costmap().read(map_.layout(), map_.costs());
       frame = map_.layout().frame_id;
     }
-    const auto from = start == nullptr ? robot_pose(frame) : in_frame(*start, frame);
-    if (!from) return refused(StatusCode::tf_error, from.error().message);
-    const auto to = in_frame(goal, frame);
-    if (!to) return refused(StatusCode::tf_error, to.error().message);
+    const auto from = start == nullptr
+                          ? robot_pose(frame)
+                          : in_frame("the start", *start, wend_nav2::Tilt::slope, frame);
+    if (!from) return refused(code_of(from.error().kind), from.error().message);
+    const auto to = in_frame("the goal", goal, wend_nav2::Tilt::flat, frame);
+    if (!to) return refused(code_of(to.error().kind), to.error().message);
     const auto poses = planner_.plan({*from, *to, robot_}, is_cancelled);
     if (!poses) return refused(code_of(poses.error().kind), poses.error().message);
     std_msgs::msg::Header header;
@@ -269,14 +320,18 @@ class PlannerServer : public rclcpp::Node {
     return wend_nav2::to_message(*poses, header);
   }
 
-  wend::Expected<wend::MapPose, Failure> in_frame(const PoseStamped& pose,
+  wend::Expected<wend::MapPose, Failure> in_frame(const std::string& name, const PoseStamped& pose,
+                                                  wend_nav2::Tilt tilt,
                                                   const std::string& frame) const {
-    const wend::MapPose at = wend_nav2::pose_from(pose.pose);
-    if (pose.header.frame_id.empty() || pose.header.frame_id == frame) return at;
+    const auto at = wend_nav2::pose_from(pose.pose, tilt);
+    if (!at) {
+      return wend::Unexpected<Failure>(Failure{FailureKind::other, name + ": " + at.error()});
+    }
+    if (pose.header.frame_id.empty() || pose.header.frame_id == frame) return *at;
     const auto origin = origin_of(pose.header.frame_id, frame);
     if (!origin) return origin;
     return wend::Frame{.resolution = 1, .origin = *origin}.to_metres(
-        wend::Pose{at.x, at.y, at.heading});
+        wend::Pose{at->x, at->y, at->heading});
   }
 
   wend::Expected<wend::MapPose, Failure> robot_pose(const std::string& frame) const {
@@ -304,7 +359,7 @@ class PlannerServer : public rclcpp::Node {
   PathPlanner planner_;  // guarded by planning_
   std::mutex planning_;
   tf2_ros::Buffer transforms_;
-  tf2_ros::TransformListener listener_;
+  std::optional<tf2_ros::TransformListener> listener_;
   rclcpp::CallbackGroup::SharedPtr calls_;
   rclcpp::Publisher<nav_msgs::msg::Path>::SharedPtr paths_;
   rclcpp::Publisher<visualization_msgs::msg::MarkerArray>::SharedPtr markers_;

@@ -20,14 +20,17 @@ namespace wend_nav2 {
 struct ControlOptions {
   ObstacleRule obstacles = ObstacleRule::automatic;
   bool allow_unknown = true;
+  double pose_timeout = 1;
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     field({"obstacles",
-           "what keeps the robot from obstacles: inscribed, footprint, or auto: inscribed for a "
-           "round robot"},
+           "what keeps the robot from obstacles: inscribed (its centre stays out of costs from "
+           "253), or footprint and auto (its footprint out of cost 254)"},
           self.obstacles);
     field({"allow_unknown", "whether the robot may drive into unknown cells"}, self.allow_unknown);
+    field({"pose_timeout", "age of the robot's pose from which on it stands, s; 0: any age"},
+          self.pose_timeout, {0, 3600});
   }
 
   friend bool operator==(const ControlOptions&, const ControlOptions&) = default;

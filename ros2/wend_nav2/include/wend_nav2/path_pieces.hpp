@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "wend/control/route.hpp"
 #include "wend/geometry/map_pose.hpp"
 
 namespace wend_nav2 {
@@ -16,14 +15,7 @@ namespace wend_nav2 {
 /// The places of the poses where pieces begin, and that of the last pose. At least two poses.
 std::vector<std::size_t> cuts_of(std::span<const wend::MapPose> path);
 
-/// Do the poses of a path face anywhere? Not if all but the last face along +x, as planners without headings give them.
-bool has_headings(std::span<const wend::MapPose> path);
-
-/// Is a piece of a path with headings driven in reverse? Most of its way decides.
+/// Is a piece of a path whose headings count (wend::headings_count()) driven in reverse? Most of its way decides.
 bool in_reverse(std::span<const wend::MapPose> piece);
-
-/// The route along a path (not empty) in its own frame: a leg for each piece that has a length; it ends with the
-/// heading of the last pose.
-wend::Route route_along(std::span<const wend::MapPose> path);
 
 }  // namespace wend_nav2

@@ -4,7 +4,8 @@
 // PathSmoother: smooths the poses of any planner's path on the costs of a costmap, and keeps it free. Knows no ROS.
 //
 // A path is cut where it changes its direction by more than a right angle, or turns in place: gear changes stay where
-// they are, and so do both ends. Poses face along the way as they did before, ahead or in reverse.
+// they are, and so do both ends. Poses face along the way as they did before, ahead or in reverse
+// (wend/control/given_route.hpp).
 
 #include <functional>
 #include <string>
@@ -31,8 +32,9 @@ struct SmootherOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     field({"obstacles",
-           "what keeps the robot from obstacles: inscribed, footprint, or auto: inscribed for a "
-           "round robot"},
+           "what keeps the robot from obstacles: inscribed (its centre stays out of costs from "
+           "253), footprint (its footprint out of cost 254), or auto: footprint, and inscribed for "
+           "the path of a round robot that is free by that rule alone"},
           self.obstacles);
     field({"allow_unknown", "whether the robot may drive into unknown cells"}, self.allow_unknown);
   }
@@ -79,11 +81,16 @@ class PathSmoother {
   CostmapCopy& costmap() { return costmap_; }
 
   /// Smooths a path in the costmap's frame; `time_is_up` is asked before each piece. A path of fewer than three poses
-  /// is as it was. Fails with no_valid_path if the path is not free, and leaves it to the caller.
+  /// is as it was. Fails with no_valid_path, and the place, if the path has a pose that fault_of() finds, leaves the
+  /// costmap or is not free.
   wend::Expected<Result, Failure> smooth(const Poses& path, const RobotShape& robot,
                                          const std::function<bool()>& time_is_up);
 
  private:
+  wend::Expected<Result, Failure> smooth_by(ObstacleRule rule, const Poses& path,
+                                            const RobotShape& robot,
+                                            const std::function<bool()>& time_is_up);
+
   wend::Session session_;
   CostmapCopy costmap_;
   SmootherSettings settings_;

@@ -23,7 +23,7 @@ namespace wend_nav2 {
 
 /// What keeps the robot from obstacles.
 enum class ObstacleRule {
-  automatic,  // inscribed for a round robot in an inflated costmap, else footprint
+  automatic,  // footprint
   inscribed,  // its centre may not be where costs are 253 or 254; as NavFn and Smac 2D do
   footprint,  // its footprint may not touch cells of cost 254
 };
@@ -52,10 +52,7 @@ struct PluginOptions {
   static void fields(Self& self, Field&& field) {
     field({"obstacles",
            "what keeps the robot from obstacles: inscribed (its centre stays out of costs from "
-           "253), footprint "
-           "(its footprint out of cost 254), or auto: inscribed for a round robot in an inflated "
-           "costmap, else "
-           "footprint"},
+           "253), or footprint and auto (its footprint out of cost 254)"},
           self.obstacles);
     field({"allow_unknown", "whether the robot may drive into unknown cells"}, self.allow_unknown);
     field({"cost_factor", "what the cost 252 of a cell adds to a price of 1 for a metre"},

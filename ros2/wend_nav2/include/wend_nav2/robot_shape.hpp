@@ -30,8 +30,8 @@ wend::Expected<wend::Footprint, wend::Error> footprint_from(
 /// reads.
 wend::Expected<wend::Footprint, wend::Error> footprint_from(std::string_view text);
 
-/// Never `automatic`.
-ObstacleRule rule_for(ObstacleRule rule, const RobotShape& robot);
+/// What `automatic` stands for; another rule stands for itself.
+ObstacleRule rule_for(ObstacleRule rule);
 
 /// How costs are read, and the robot to plan with, for a rule that is not `automatic`.
 wend::CostmapScale scale_for(ObstacleRule rule, double cost_factor);

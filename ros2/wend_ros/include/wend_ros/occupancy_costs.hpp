@@ -35,6 +35,9 @@ class OccupancyCosts {
   /// O(values).
   wend::Expected<void, wend::Error> take(const OccupancyUpdate& update);
 
+  /// Has no map from then on.
+  void clear() { costs_.clear(); }
+
   bool empty() const { return costs_.empty(); }
   const wend_nav2::CostmapLayout& layout() const { return layout_; }
   std::span<const std::uint8_t> costs() const { return costs_; }
