@@ -8,6 +8,7 @@
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/lattice/query_ends.hpp"
 #include "wend/planner/se2/hybrid_reasons.hpp"
+#include "wend/planner/se2/rest_of_drive.hpp"
 #include "wend/robot/nearest_passable.hpp"
 
 namespace wend {
@@ -171,8 +172,15 @@ void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& 
   finder.write_path(drive_);
   shortener_->shorten(drive_);
   join(drive_);
-  out.path.drive_to(query.start);
-  for (const DrivenMotion& driven : drive_) {
+  write_drive(query.start, drive_, out);
+  out.goal_snapping_error =
+      snapping_error_between(query.goals[finder.goal()], out.path.driven_poses().back());
+}
+
+/// Path, cost and names of motions.
+void HybridPlanner::write_drive(const Pose& start, const Drive& drive, Plan& out) const {
+  out.path.drive_to(start);
+  for (const DrivenMotion& driven : drive) {
     const double turn = std::abs(driven.motion.turn);
     const auto parts = std::max(1, static_cast<int>(std::ceil(turn / kLongestTurn - kRounding)));
     for (int i = 1; i <= parts; ++i) {
@@ -180,13 +188,26 @@ void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& 
       out.path.drive_to(pose_after(driven.from, before));
     }
   }
-  out.cost = cost_of(drive_, ground_->check(), steering_);
+  out.cost = cost_of(drive, ground_->check(), steering_);
   const auto poses = out.path.driven_poses();
   const Frame& frame = free_space().map().frame();
   for (std::size_t i = 1; i < poses.size(); ++i) {
     out.moves.push_back(name_of(segment_between(poses[i - 1], poses[i]), frame));
   }
-  out.goal_snapping_error = snapping_error_between(query.goals[finder.goal()], poses.back());
+}
+
+std::optional<Plan> HybridPlanner::do_rest_of(const Path& path, const Query& query,
+                                              std::size_t& passed) const {
+  if (!path.driven()) return std::nullopt;
+  const PlaceOnDrive place =
+      nearest_on_drive(JoinedPoses(path.driven_poses()), query.start, passed);
+  auto drive = rest_of_drive(path.driven_poses(), place, query.start, ground_->check(), steering_);
+  if (!drive) return std::nullopt;
+  passed = place.joint;
+  join(*drive);
+  Plan rest;
+  write_drive(query.start, *drive, rest);
+  return rest;
 }
 
 double HybridPlanner::do_heuristic(const Pose& pose) const {
