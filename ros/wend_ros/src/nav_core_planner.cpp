@@ -71,7 +71,8 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
     const Ask ask{.start = pose_from(start.pose),
                   .goals = {pose_from(goal.pose)},
                   .planner = {},
-                  .options = {}};
+                  .options = {},
+                  .keep = parameters_.number("keep")};
     const auto [result, path, way] = answer(session_, *map, parameters_, ask);
     if (result.status != static_cast<std::uint16_t>(StatusCode::found)) {
       ROS_WARN_STREAM(result.status_name << ": " << result.reason);
