@@ -267,10 +267,12 @@ class Drive {
   int changed() const { return changed_; }
 
   void run() {
-    request_.start = somewhere(map_, random_);
-    const MapPose goal = somewhere(map_, random_);
-    request_.goals = {{goal.point(), goal.heading}};
-    std::optional<Path> last;
+    for (int tries = 0; tries < 10; ++tries) {
+      request_.start = somewhere(map_, random_);
+      const MapPose goal = somewhere(map_, random_);
+      request_.goals = {{goal.point(), goal.heading}};
+      if (planned(session_, request_)) break;
+    }
     for (int step = 0; step < 12; ++step) {
       if (step > 0 && !session_.edit(random_edit(random_))) return;
       const FreeSpace space = session_.view()->space;
@@ -333,7 +335,7 @@ TEST(SessionReplan, KeepsAPathUnlessAnotherIsCheaperByTheShare) {
     int kept = 0;
     int changed = 0;
     for (const double keep : {0.0, 0.2, 1.0}) {
-      for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      for (std::uint64_t seed = 0; seed < 4; ++seed) {
         Drive drive(spec, keep, seed);
         drive.run();
         kept += drive.kept();
@@ -355,6 +357,7 @@ class Door : public testing::TestWithParam<const char*> {
   double open() {
     const auto before = session_.replan(request_);
     EXPECT_TRUE(before);
+    if (before) first_ = before->plan.path;
     EXPECT_TRUE(
         session_.edit({.corner = {50, 60}, .states = Grid<CellState>(1, 8, CellState::free)}));
     const auto after = Session(session_.view()->space.map()).plan(request_);
@@ -364,6 +367,7 @@ class Door : public testing::TestWithParam<const char*> {
 
   Session session_{walled_room()};
   PlanRequest request_ = across();
+  Path first_;
 };
 
 TEST_P(Door, IsTakenOnlyIfItIsWorthIt) {
@@ -373,12 +377,12 @@ TEST_P(Door, IsTakenOnlyIfItIsWorthIt) {
   const auto kept = session_.replan(request_);
   ASSERT_TRUE(kept) << kept.error().message;
   EXPECT_TRUE(kept->kept);
+  EXPECT_EQ(kept->plan.path, first_);
   request_.keep = gain - 0.01;
   const auto taken = session_.replan(request_);
   ASSERT_TRUE(taken);
   EXPECT_FALSE(taken->kept);
-  // The first path of a lattice begins where the robot is not.
-  EXPECT_NEAR(taken->plan.cost / kept->plan.cost, 1 - gain, 0.005);
+  EXPECT_NEAR(taken->plan.cost / kept->plan.cost, 1 - gain, 1e-9);
   if (std::isfinite(taken->plan.bound)) {
     EXPECT_NEAR(kept->plan.bound, taken->plan.bound * kept->plan.cost / taken->plan.cost, 1e-6);
   }

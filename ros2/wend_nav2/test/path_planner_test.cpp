@@ -230,6 +230,14 @@ TEST(PathPlanner, AnsweringAfterChangesIsAnsweringAnew) {
   }
 }
 
+double length_of(const PathPlanner::Poses& poses) {
+  double sum = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    sum += distance(poses[i - 1].point(), poses[i].point());
+  }
+  return sum;
+}
+
 /// Of every planner: a path of poses keeps its headings and its turning radius.
 TEST(PathPlanner, ReplansWithAllThatWasAskedFor) {
   Costmap map = empty_costmap(60, 60);
@@ -243,15 +251,8 @@ TEST(PathPlanner, ReplansWithAllThatWasAskedFor) {
     const auto again = plan_once(settings_of(info.name, {{"replan", "true"}}), map, start, goal);
     EXPECT_EQ(kind_of(again), kind_of(fresh));
     if (!fresh || !again) continue;
-    const auto length = [](const PathPlanner::Poses& poses) {
-      double sum = 0;
-      for (std::size_t i = 1; i < poses.size(); ++i) {
-        sum += distance(poses[i - 1].point(), poses[i].point());
-      }
-      return sum;
-    };
     if (info.guarantee != wend::Guarantee::optimal) {
-      EXPECT_NEAR(length(*again), length(*fresh), 0.03 * length(*fresh));
+      EXPECT_NEAR(length_of(*again), length_of(*fresh), 0.03 * length_of(*fresh));
     }
     if (!info.capabilities.headings) continue;
     ASSERT_EQ(again->size(), fresh->size());
@@ -275,7 +276,11 @@ TEST(PathPlanner, KeepsAPathUnlessAnotherIsCheaperByTheShare) {
       for (int y = 5; y < 20; ++y) map.at(30, y) = 0;
       const auto again = plan(warm, map, start, goal);
       ASSERT_TRUE(around && again) << name;
-      EXPECT_EQ(*again == *around, keep == "0.9") << name;
+      if (keep == "0.9") {
+        EXPECT_NEAR(length_of(*again), length_of(*around), 1e-6) << name;
+      } else {
+        EXPECT_LT(length_of(*again), 0.8 * length_of(*around)) << name;
+      }
     }
   }
 }

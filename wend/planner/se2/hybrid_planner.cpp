@@ -172,15 +172,8 @@ void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& 
   finder.write_path(drive_);
   shortener_->shorten(drive_);
   join(drive_);
-  write_drive(query.start, drive_, out);
-  out.goal_snapping_error =
-      snapping_error_between(query.goals[finder.goal()], out.path.driven_poses().back());
-}
-
-/// Path, cost and names of motions.
-void HybridPlanner::write_drive(const Pose& start, const Drive& drive, Plan& out) const {
-  out.path.drive_to(start);
-  for (const DrivenMotion& driven : drive) {
+  out.path.drive_to(query.start);
+  for (const DrivenMotion& driven : drive_) {
     const double turn = std::abs(driven.motion.turn);
     const auto parts = std::max(1, static_cast<int>(std::ceil(turn / kLongestTurn - kRounding)));
     for (int i = 1; i <= parts; ++i) {
@@ -188,11 +181,17 @@ void HybridPlanner::write_drive(const Pose& start, const Drive& drive, Plan& out
       out.path.drive_to(pose_after(driven.from, before));
     }
   }
-  out.cost = cost_of(drive, ground_->check(), steering_);
-  const auto poses = out.path.driven_poses();
+  out.cost = cost_of(drive_, ground_->check(), steering_);
+  name_moves(out);
+  out.goal_snapping_error =
+      snapping_error_between(query.goals[finder.goal()], out.path.driven_poses().back());
+}
+
+void HybridPlanner::name_moves(Plan& plan) const {
+  const auto poses = plan.path.driven_poses();
   const Frame& frame = free_space().map().frame();
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    out.moves.push_back(name_of(segment_between(poses[i - 1], poses[i]), frame));
+    plan.moves.push_back(name_of(segment_between(poses[i - 1], poses[i]), frame));
   }
 }
 
@@ -201,13 +200,14 @@ std::optional<Plan> HybridPlanner::do_rest_of(const Path& path, const Query& que
   if (!path.driven()) return std::nullopt;
   const PlaceOnDrive place =
       nearest_on_drive(JoinedPoses(path.driven_poses()), query.start, passed);
-  auto drive = rest_of_drive(path.driven_poses(), place, query.start, ground_->check(), steering_);
-  if (!drive) return std::nullopt;
+  auto rest = rest_of_drive(path.driven_poses(), place, query.start, ground_->check(), steering_);
+  if (!rest) return std::nullopt;
   passed = place.joint;
-  join(*drive);
-  Plan rest;
-  write_drive(query.start, *drive, rest);
-  return rest;
+  Plan plan;
+  plan.path = std::move(rest->path);
+  plan.cost = rest->cost;
+  name_moves(plan);
+  return plan;
 }
 
 double HybridPlanner::do_heuristic(const Pose& pose) const {

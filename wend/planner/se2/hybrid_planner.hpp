@@ -43,7 +43,7 @@ class HybridPlanner final : public Planner {
   std::optional<HybridGoal> place_for(const Goal& goal, const std::optional<Cell>& from = {}) const;
   std::optional<double> heading_at(Point point, const Goal& goal) const;
   void write(const Query& query, const HybridSearch& finder, Plan& out);
-  void write_drive(const Pose& start, const Drive& drive, Plan& out) const;
+  void name_moves(Plan& plan) const;
 
   HybridAStarOptions options_;
   Steering steering_;

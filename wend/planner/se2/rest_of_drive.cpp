@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "wend/geometry/angle.hpp"
 #include "wend/geometry/segment.hpp"
 #include "wend/path/path_collision.hpp"
 
@@ -94,16 +95,10 @@ std::optional<Drive> connected(const Pose& robot, Tail tail, const MotionCheck& 
   return drive;
 }
 
-}  // namespace
-
-std::optional<Drive> rest_of_drive(std::span<const Pose> poses, const PlaceOnDrive& place,
-                                   const Pose& robot, const MotionCheck& check,
-                                   const Steering& steering) {
-  const Drive drive = drive_from(poses, place);
-  const std::size_t free_from = first_free(poses, place, check.free_space());
-  if (place.distance < kRounding && place.turn < kRounding) {
-    return free_from == 0 ? std::optional(drive) : std::nullopt;
-  }
+/// The cheapest drive back to the path and along it.
+std::optional<Drive> cheapest_connected(const Drive& drive, std::size_t free_from,
+                                        const PlaceOnDrive& place, const Pose& robot,
+                                        const MotionCheck& check, const Steering& steering) {
   std::optional<Drive> best;
   double least = std::numeric_limits<double>::infinity();
   const auto offer = [&](Tail tail) {
@@ -126,6 +121,39 @@ std::optional<Drive> rest_of_drive(std::span<const Pose> poses, const PlaceOnDri
   for (double ahead = step; ahead < whole; ahead *= 2) offer(tail_after(drive, ahead));
   offer(tail_after(drive, whole));
   return best;
+}
+
+Path path_of(const Pose& start, const Drive& drive, const Pose& end) {
+  Path path;
+  path.drive_to(start);
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    const auto& [from, motion] = drive[i];
+    const auto parts =
+        std::max(1, static_cast<int>(std::ceil(std::abs(motion.turn) / (kPi / 2) - kRounding)));
+    for (int part = 1; part < parts; ++part) {
+      path.drive_to(pose_after(from, part_of(motion, static_cast<double>(part) / parts)));
+    }
+    path.drive_to(i + 1 < drive.size() ? drive[i + 1].from : end);
+  }
+  return path;
+}
+
+}  // namespace
+
+std::optional<RestOfDrive> rest_of_drive(std::span<const Pose> poses, const PlaceOnDrive& place,
+                                         const Pose& robot, const MotionCheck& check,
+                                         const Steering& steering) {
+  Drive ahead = drive_from(poses, place);
+  const std::size_t free_from = first_free(poses, place, check.free_space());
+  const bool on_path = place.distance < kRounding && place.turn < kRounding;
+  if (on_path && free_from > 0) return std::nullopt;
+  auto drive = on_path ? std::optional(std::move(ahead))
+                       : cheapest_connected(ahead, free_from, place, robot, check, steering);
+  if (!drive) return std::nullopt;
+  RestOfDrive rest{path_of(robot, *drive, poses.back())};
+  join(*drive);
+  rest.cost = cost_of(*drive, check, steering);
+  return rest;
 }
 
 }  // namespace wend

@@ -14,10 +14,15 @@
 
 namespace wend {
 
-/// `place` is the place on the path nearest to the robot. Nothing if a motion does not fit any more, or nothing
+struct RestOfDrive {
+  Path path;  // behind the connection, its poses are those of the path
+  double cost = 0;
+};
+
+/// `place` is the place on the path nearest to the robot. Nothing if a motion is not free any more, or nothing
 /// connects the robot with the path. O(cells of the way).
-std::optional<Drive> rest_of_drive(std::span<const Pose> poses, const PlaceOnDrive& place,
-                                   const Pose& robot, const MotionCheck& check,
-                                   const Steering& steering);
+std::optional<RestOfDrive> rest_of_drive(std::span<const Pose> poses, const PlaceOnDrive& place,
+                                         const Pose& robot, const MotionCheck& check,
+                                         const Steering& steering);
 
 }  // namespace wend
