@@ -103,7 +103,7 @@ static void check_plan(wend_session* session, const wend_request* request) {
   CHECK(wend_plan_expanded(plan) > 0 && wend_plan_generated(plan) >= wend_plan_expanded(plan));
   wend_plan_free(plan);
   CHECK(wend_session_replan(session, request, &plan, NULL) == WEND_OK);
-  CHECK(wend_plan_cost(plan) == 6);
+  CHECK(wend_plan_cost(plan) == 6 && wend_plan_kept(plan) == 0);
   wend_plan_free(plan);
 }
 

@@ -331,6 +331,8 @@ typedef struct wend_request {
   int32_t explain;     // 1: says why there is no path, in O(cells log cells); default 1
   wend_solution_function on_solution;  // receives each path of wend_session_plan(); default null
   void* context;                       // what it receives besides; default null
+  double keep;  // >= 0: the share by which another path must be cheaper than the rest of the last
+                // one for wend_session_replan() to take it; default 0
 } wend_request;
 
 /// Sets the defaults. `struct_size` is sizeof(wend_request). Start and goals have none.
@@ -341,10 +343,12 @@ WEND_C_API wend_status wend_request_init(wend_request* request, size_t struct_si
 WEND_C_API wend_status wend_session_plan(wend_session* session, const wend_request* request,
                                          wend_plan** plan, wend_error* error);
 
-/// Plans like wend_session_plan(), for a robot that drives while its map changes: with a planner that keeps what
-/// it found for the next call and repairs it after edits, "replanner" with the moves of the request's planner, or
-/// that planner itself if it resumes. The path costs as much as if it were planned from scratch; nothing was
-/// expanded if the rest of the last path is still the cheapest.
+/// Plans like wend_session_plan(), for a robot that drives while its map changes. What is left of the path that the
+/// last call answered, from the robot's place on, is answered again unless another path is cheaper by more than
+/// wend_request.keep: if it is free on the present map, is for the same planner and goals, and the robot is no farther
+/// from it than two cells, or 0.3 m if that is more. Planners from cell to cell that are optimal and need no index are
+/// replaced by "replanner" with the same moves, which keeps what it found for the next call and repairs it after
+/// edits; planners that resume do so themselves, all others plan anew.
 WEND_C_API wend_status wend_session_replan(wend_session* session, const wend_request* request,
                                            wend_plan** plan, wend_error* error);
 
@@ -360,6 +364,8 @@ WEND_C_API double wend_plan_cost(const wend_plan* plan);
 WEND_C_API double wend_plan_bound(const wend_plan* plan);
 /// The length of the path in metres; NaN for null.
 WEND_C_API double wend_plan_length(const wend_plan* plan);
+/// 1 for what was left of the path that wend_session_replan() had answered before, else 0; 0 for null.
+WEND_C_API int32_t wend_plan_kept(const wend_plan* plan);
 /// The states that the search expanded; 0 for null.
 WEND_C_API uint64_t wend_plan_expanded(const wend_plan* plan);
 /// The states that the search reached; 0 for null.

@@ -29,6 +29,7 @@ namespace wend::cli {
 namespace {
 
 constexpr NumberRange kRanges{1e-6, 1e9, kMapUnit};
+constexpr NumberRange kShares{0, 100};
 
 struct ExploreArguments {
   MapArguments map;
@@ -38,6 +39,7 @@ struct ExploreArguments {
   std::optional<double> sensor_range;
   std::string planners = "replanner";
   ReplanWhen when = ReplanWhen::path;
+  double keep = 0;
   LimitArguments limits;
   TableFormat format = TableFormat::text;
   PictureArguments pictures;
@@ -107,6 +109,7 @@ ExplorerOptions ExploreRun::options_for(const PlannerSpec& planner, ProgressBar&
   options.sensor_range = report_.sensor_range;
   options.planner = planner;
   options.when = arguments_.when;
+  options.keep = arguments_.keep;
   options.limits = arguments_.limits.limits(progress);
   options.clock = thread_cpu_seconds;
   return options;
@@ -216,6 +219,9 @@ Command add_explore(Parser& app) {
       explore, "--replan", arguments->when, named_values<ReplanWhen>(),
       "When to plan again: path: if the path ahead is blocked or costs more; discovery: after "
       "every discovery that is not as believed (default path)");
+  add_number(explore, "--keep", arguments->keep, kShares,
+             "Share by which another path must be cheaper than what is left of the last one, if "
+             "that is still free, to be taken when the robot plans again (default 0)");
   arguments->limits.add_to(explore);
   add_table_format(explore, arguments->format);
   arguments->pictures.add_to(explore);

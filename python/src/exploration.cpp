@@ -60,7 +60,7 @@ nb::dict result_of(const Explorer& explorer, Status status) {
 
 nb::dict explore(const Space& space, nb::handle start, nb::handle goal, std::string planner,
                  const nb::dict& options, std::optional<double> sensor_range,
-                 std::optional<GridMap> known, const std::string& replan) {
+                 std::optional<GridMap> known, const std::string& replan, double keep) {
   const FreeSpace truth = space.view().space;
   const Frame& frame = truth.map().frame();
   constexpr double kMetres = 5;
@@ -70,6 +70,7 @@ nb::dict explore(const Space& space, nb::handle start, nb::handle goal, std::str
       sensor_range.value_or(frame.metric ? kMetres : kCells * frame.resolution) / frame.resolution;
   chosen.planner = {std::move(planner), options_of(options)};
   chosen.when = when_of(replan);
+  chosen.keep = keep;
   chosen.clock = thread_cpu_seconds;
   Interrupts interrupts;
   interrupts.watch(chosen.limits);  // each search looks
@@ -95,7 +96,7 @@ nb::dict explore(const Space& space, nb::handle start, nb::handle goal, std::str
 void bind_exploration(nb::class_<Space>& space) {
   space.def("explore", &explore, nb::arg("start").none(), nb::arg("goal").none(),
             nb::arg("planner"), nb::arg("options"), nb::arg("sensor_range").none(),
-            nb::arg("known").none(), nb::arg("replan"));
+            nb::arg("known").none(), nb::arg("replan"), nb::arg("keep"));
 }
 
 }  // namespace wend::python

@@ -185,6 +185,7 @@ void bind_plan(nb::module_& module) {
       .def("cells", &cells_of)
       .def("points", &points_of)
       .def_prop_ro("cost", [](const Planned& plan) { return plan.answer.plan.cost; })
+      .def_prop_ro("kept", [](const Planned& plan) { return plan.answer.kept; })
       .def_prop_ro("bound", [](const Planned& plan) { return plan.answer.plan.bound; })
       .def_prop_ro("length",
                    [](const Planned& plan) {

@@ -77,18 +77,19 @@ PlanRequest request_of(nb::handle start, const nb::list& goals, SearchSettings s
 Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
              const nb::dict& options, std::optional<double> time_limit,
              std::optional<std::int64_t> expansions, bool nearest, double tolerance,
-             double heading_tolerance, Recording* recording) {
+             double heading_tolerance, Recording* recording, std::optional<double> keep) {
   PlanRequest request =
       request_of(start, goals, settings_of(std::move(planner), options, time_limit, expansions),
                  tolerance, heading_tolerance);
   request.nearest = nearest;
   request.observer = recording;
+  if (keep) request.keep = not_negative(*keep, "keep");
   const Session::View view = space.view();
   Interrupts interrupts;
   interrupts.watch(request.limits);
   auto answer = [&] {
     const nb::gil_scoped_release unlocked;
-    return space.session().plan(view, request);
+    return keep ? space.session().replan(view, request) : space.session().plan(view, request);
   }();
   interrupts.throw_if_interrupted();
   return {value_or_throw(std::move(answer))};
@@ -206,7 +207,7 @@ void bind_planning(nb::class_<Space>& space) {
       .def("plan", &plan, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
            nb::arg("nearest"), nb::arg("tolerance"), nb::arg("heading_tolerance"),
-           nb::arg("recording").none())
+           nb::arg("recording").none(), nb::arg("keep").none())
       .def("solutions", &solutions, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
            nb::arg("tolerance"), nb::arg("heading_tolerance"))

@@ -164,3 +164,35 @@ def test_threads_plan_while_one_edits() -> None:
     for thread in threads:
         thread.join()
     assert faults == []
+
+
+def test_replans_with_all_that_was_asked_for() -> None:
+    array = np.zeros((20, 30), dtype=np.int8)
+    array[:16, 15] = 1
+    start, goal = (5.5, 5.5, 0.0), (25.5, 5.5, 1.0)
+    for planner in ("astar", "theta_star", "hybrid_astar", "lattice", "car"):
+        space = wend.Map(array).free_space()
+        plan, again = space.plan(start, goal, planner), space.replan(start, goal, planner)
+        assert not again.kept
+        assert again.cost == pytest.approx(plan.cost)
+        if planner in ("hybrid_astar", "lattice", "car"):
+            assert again.path == pytest.approx(plan.path)
+
+
+def test_keeps_a_path_unless_another_is_cheaper_by_the_share() -> None:
+    array = np.zeros((20, 30), dtype=np.int8)
+    array[:16, 15] = 1
+    start, goal = (5.5, 5.5, 0.0), (25.5, 5.5)
+    for planner in ("astar", "any_angle", "hybrid_astar"):
+        space = wend.Map(array).free_space()
+        around = space.replan(start, goal, planner)
+        space.edit((15, 2), np.zeros((8, 1), dtype=np.int8))
+        kept = space.replan(start, goal, planner, keep=0.9)
+        assert kept.kept
+        assert kept.cost == pytest.approx(around.cost)
+        through = space.replan(start, goal, planner, keep=0.01)
+        assert not through.kept
+        assert through.cost < 0.99 * around.cost
+    for wrong in (-1.0, float("nan")):
+        with pytest.raises(wend.InvalidArgument, match="keep must be at least 0"):
+            space.replan(start, goal, keep=wrong)

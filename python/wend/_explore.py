@@ -57,6 +57,7 @@ def explore(
     sensor_range: float | None = None,
     known: Map | None = None,
     replan: Literal["path", "discovery"] = "path",
+    keep: float = 0,
     **options: object,
 ) -> Exploration:
     """Drives the robot of a space from start to goal without knowing the map. It takes what it has not seen for free,
@@ -68,6 +69,7 @@ def explore(
     :param known: what the robot believes at first, of the same size; None: it knows nothing.
     :param replan: when it plans again: "path", if its path is blocked or costs more; "discovery", after every discovery
         that is not as it believed.
+    :param keep: when it plans again: by which share another path must be cheaper than what is left of the last one.
     :raises ValueError: an end is outside of the map, or an argument has a wrong value.
     :raises wend.Error: the start is blocked.
 
@@ -80,6 +82,6 @@ def explore(
     from ._map import Map
 
     core = None if known is None else known._inner
-    result = space._inner.explore(start, goal, planner, text_of(options), sensor_range, core, replan)
+    result = space._inner.explore(start, goal, planner, text_of(options), sensor_range, core, replan, keep)
     result["known"] = Map._of(result["known"])
     return Exploration(**result)

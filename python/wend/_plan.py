@@ -95,6 +95,11 @@ class Plan:
         return self._inner.bound
 
     @property
+    def kept(self) -> bool:
+        """Is it what was left of the path that ``FreeSpace.replan()`` had answered before?"""
+        return self._inner.kept
+
+    @property
     def length(self) -> float:
         """The length of the path in metres."""
         return self._inner.length

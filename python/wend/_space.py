@@ -160,6 +160,57 @@ class FreeSpace:
                 tolerance,
                 heading_tolerance,
                 None,
+                None,
+            ),
+        )
+
+    @named_types
+    def replan(
+        self,
+        start: Pose,
+        goal: Pose | Iterable[Pose],
+        planner: str = "astar",
+        *,
+        keep: float = 0,
+        time_limit: float | None = None,
+        expansions: int | None = None,
+        nearest: bool = False,
+        tolerance: float = 0,
+        heading_tolerance: float = 0,
+        **options: object,
+    ) -> Plan:
+        """Plans as ``plan()`` does, for a robot that drives while its map changes. What is left of the path that the last
+        call answered, from the robot's place on, is answered again unless another path is cheaper by more than the
+        share `keep`: if it is free on the present map, is for the same planner and goals, and the robot is no farther
+        from it than two cells, or 0.3 m if that is more. ``Plan.kept`` says so.
+
+        Planners from cell to cell that are optimal and need no index are replaced by ``replanner`` with the same moves,
+        which repairs what it found before; planners that resume do so themselves, all others plan anew.
+
+        :param keep: 0: any cheaper path is taken; 0.1: one that is cheaper by more than a tenth; 1: none while the last
+            one is free.
+        :raises wend.NoPath: as ``plan()``.
+        :raises ValueError: as ``plan()``.
+
+        >>> import wend
+        >>> space = wend.Map([[0, 0, 0], [0, 1, 0], [0, 0, 0]]).free_space()
+        >>> plan = space.replan((0, 0), (2, 2))
+        >>> space.replan(plan.path[1], (2, 2)).kept
+        True
+        """
+        return Plan(
+            self._inner.plan(
+                start,
+                goals_of(goal),
+                planner,
+                text_of(options) if options else {},
+                time_limit,
+                expansions,
+                nearest,
+                tolerance,
+                heading_tolerance,
+                None,
+                keep,
             ),
         )
 
@@ -273,7 +324,7 @@ class FreeSpace:
         try:
             plan = Plan(
                 self._inner.plan(
-                    start, goals, planner, text_of(options), time_limit, expansions, False, 0, 0, recording
+                    start, goals, planner, text_of(options), time_limit, expansions, False, 0, 0, recording, None
                 ),
             )
         except NoPath as no_path:

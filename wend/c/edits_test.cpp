@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,37 @@ Owned<wend_plan> replanned(wend_session* session, const wend_request& request) {
   return made_object<wend_plan>([&](wend_plan** out, wend_error* error) {
     return wend_session_replan(session, &request, out, error);
   });
+}
+
+/// Above a wall there is a way; then a door opens in it.
+TEST(CEdits, LeaveAPathThatIsKept) {
+  for (const char* const planner : {"astar", "any_angle", "hybrid_astar:turning_radius=1"}) {
+    Grid<CellState> states(30, 20, CellState::free);
+    for (int y = 0; y < 16; ++y) states[{15, y}] = CellState::occupied;
+    const auto session = c_session(c_map(*make_grid_map(states)).get());
+    const wend_pose goal{25.5, 5.5, kAnyHeading};
+    wend_request request = request_to(goal, {5.5, 5.5, 0});
+    request.planner = planner;
+    const auto first = replanned(session.get(), request);
+    EXPECT_EQ(wend_plan_kept(first.get()), 0);
+    const std::vector<std::uint8_t> free(8, 0);
+    ASSERT_EQ(wend_session_edit(session.get(), 15, 2, 1, 8, free.data(), free.size(), nullptr),
+              WEND_OK);
+    request.keep = 0.9;
+    const auto kept = replanned(session.get(), request);
+    EXPECT_EQ(wend_plan_kept(kept.get()), 1) << planner;
+    EXPECT_NEAR(wend_plan_cost(kept.get()), wend_plan_cost(first.get()), 1e-6) << planner;
+    request.keep = 0.01;
+    const auto taken = replanned(session.get(), request);
+    EXPECT_EQ(wend_plan_kept(taken.get()), 0) << planner;
+    EXPECT_LT(wend_plan_cost(taken.get()), 0.99 * wend_plan_cost(first.get())) << planner;
+    wend_plan* plan = nullptr;
+    for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+      request.keep = wrong;
+      EXPECT_EQ(wend_session_replan(session.get(), &request, &plan, nullptr),
+                WEND_INVALID_ARGUMENT);
+    }
+  }
 }
 
 /// A wall with a gap at its top.

@@ -68,6 +68,7 @@ struct wend_plan {
   double bound;
   double length;  // metres
   wend::SearchMetrics metrics;
+  bool kept;
 };
 
 struct wend_field {

@@ -10,7 +10,8 @@ wend_plan::wend_plan(const wend::PlanAnswer& answer)
     : cost(answer.plan.cost),
       bound(answer.plan.bound),
       length(answer.path().length() * answer.space.map().frame().resolution),
-      metrics(answer.plan.metrics) {
+      metrics(answer.plan.metrics),
+      kept(answer.kept) {
   for (const wend::MapPose& pose : answer.poses()) poses.push_back({pose.x, pose.y, pose.heading});
 }
 
@@ -61,6 +62,8 @@ double wend_plan_bound(const wend_plan* plan) { return plan == nullptr ? kNoNumb
 double wend_plan_length(const wend_plan* plan) {
   return plan == nullptr ? kNoNumber : plan->length;
 }
+
+int32_t wend_plan_kept(const wend_plan* plan) { return plan != nullptr && plan->kept ? 1 : 0; }
 
 uint64_t wend_plan_expanded(const wend_plan* plan) {
   return plan == nullptr ? 0 : plan->metrics.expanded;

@@ -74,7 +74,8 @@ constexpr wend_request kRequestDefaults{sizeof(wend_request),
                                         0,
                                         1,
                                         nullptr,
-                                        nullptr};
+                                        nullptr,
+                                        0};
 
 MapPose map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading}; }
 
@@ -161,6 +162,11 @@ RequestResult plan_request_of(const wend_request* given, double resolution) {
     return refused("wend_request.spacing is " + format_number(given->spacing) +
                    ": a finite number from 0 expected");
   }
+  if (!(given->keep >= 0)) {
+    return refused("wend_request.keep is " + format_number(given->keep) +
+                   ": a number from 0 expected");
+  }
+  asked->keep = given->keep;
   asked->start = map_pose(given->start);
   asked->explain = given->explain != 0;
   if (given->straighten != 0) asked->refinement.simplify = Simplification{};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wend/explore/visible_cells.hpp"
+#include "wend/planner/rest_of_path.hpp"
 #include "wend/space/grid/grid_path.hpp"
 
 namespace wend {
@@ -44,6 +45,9 @@ std::optional<Error> fault_of_options(const ExplorerOptions& options) {
     return Error{Status::invalid_option, "the range of the sensor must be at least 1 cell",
                  "sensor_range"};
   }
+  if (!(options.keep >= 0)) {
+    return Error{Status::invalid_option, "keep must be at least 0", "keep"};
+  }
   const PlannerInfo* info = planners().find(options.planner.name);
   if (info == nullptr) {
     return Error{Status::invalid_option, planners().unknown("planner", options.planner.name),
@@ -75,6 +79,7 @@ struct Explorer::State {
   void feel(Cell next);
   bool learn(const std::vector<Cell>& cells);
   bool path_holds();
+  void keep(std::vector<Cell> rest);
   std::optional<Status> plan();
   std::optional<Status> end_with(Error error);
 
@@ -161,6 +166,14 @@ bool Explorer::State::path_holds() {
   return cost && *cost <= rest_cost * (1 + kRounding);
 }
 
+/// Goes on along the rest of the last path, if it is legal, unless the new one is much cheaper.
+void Explorer::State::keep(std::vector<Cell> rest) {
+  const auto cost = check_grid_path(believed, moves, rest);
+  if (rest.empty() || !cost || is_worth_changing_to(found.cost, *cost, options.keep)) return;
+  found.path = Path(std::move(rest));
+  found.cost = *cost;
+}
+
 std::optional<Status> Explorer::State::end_with(Error error) {
   why = std::move(error.message);
   return end = error.status;
@@ -181,6 +194,11 @@ std::optional<Status> Explorer::State::plan() {
   }
   released = false;
   pending = {};
+  std::vector<Cell> rest;
+  if (!first) {
+    const auto ahead = found.path.cells().subspan(at);
+    rest.assign(ahead.begin(), ahead.end());
+  }
   Query query = Query::between(cell, goal);
   query.limits = options.limits;
   const Status status = planner->plan(query, found);
@@ -195,6 +213,7 @@ std::optional<Status> Explorer::State::plan() {
     totals.worst_seconds = std::max(totals.worst_seconds, seconds);
   }
   if (status != Status::found) return end_with({status, planner->reason(query, status)});
+  keep(std::move(rest));
   at = 0;
   rest_cost = grid_path_cost(believed, found.path.cells());
   must_plan = false;

@@ -52,8 +52,9 @@ struct ExplorerOptions {
   double sensor_range = 30;            // of the laser scanner, in cells, finite, at least 1
   PlannerSpec planner{"replanner"};    // from cell to cell
   ReplanWhen when = ReplanWhen::path;  // it plans again
-  Limits limits = {};                  // of each search
-  Clock clock = {};                    // measures planning; null: the steady clock
+  double keep = 0;     // as PlanRequest::keep: of the path ahead, when it plans again
+  Limits limits = {};  // of each search
+  Clock clock = {};    // measures planning; null: the steady clock
 };
 
 /// What a drive has taken so far.

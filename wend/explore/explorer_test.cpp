@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,6 +54,7 @@ TEST(Explorer, ReachesWhatCanBeReached) {
     options.sensor_range = 1 + 10 * random.uniform();
     options.planner.name = planners[seed % planners.size()];
     options.when = random.chance(0.5) ? ReplanWhen::path : ReplanWhen::discovery;
+    options.keep = std::array{0.0, 0.3, 1.0}[seed % 3];
     const FreeSpace truth = *make_free_space(map, options.robot);
     const Cell start{random.between(0, map.width() - 1), random.between(0, map.height() - 1)};
     const Cell goal{random.between(0, map.width() - 1), random.between(0, map.height() - 1)};
@@ -72,6 +77,37 @@ TEST(Explorer, ReachesWhatCanBeReached) {
   }
   EXPECT_GT(arrived, test::share_of(100));
   EXPECT_GT(failed, test::share_of(20));
+}
+
+/// With keep = 1, a robot that plans after every discovery stays on its path as long as that is free.
+TEST(Explorer, KeepsItsPathWhileItIsFree) {
+  int kept = 0;
+  int changed = 0;
+  for (std::uint64_t seed = 1; seed <= 60 && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const GridMap map = random_truth(random);
+    ExplorerOptions options{.sensor_range = 4, .when = ReplanWhen::discovery, .keep = 1};
+    options.planner.name = seed % 2 == 0 ? "astar" : "dfs";
+    const Cell goal{map.width() - 1, map.height() - 1};
+    auto explorer = Explorer::make(map, {0, 0}, goal, options);
+    if (!explorer) continue;
+    std::optional<Status> end;
+    while (!end) {
+      const std::vector<Cell> before(explorer->ahead().begin(), explorer->ahead().end());
+      end = explorer->step();
+      if (!explorer->planned() || before.empty() || end) continue;
+      const bool free = check_grid_path(explorer->believed(), {}, before).has_value();
+      // The robot has also made a step, unless it felt that it could not.
+      const std::span<const Cell> rest =
+          std::span(before).last(std::min(before.size(), explorer->ahead().size()));
+      const bool same = std::ranges::equal(rest, explorer->ahead());
+      EXPECT_TRUE(!free || same);
+      (same ? kept : changed) += 1;
+    }
+  }
+  EXPECT_GT(kept, 100);
+  EXPECT_GT(changed, 20);
 }
 
 /// Who knows the map drives a cheapest path and plans once.
@@ -108,6 +144,7 @@ TEST(Explorer, SaysWhatIsWrong) {
   EXPECT_EQ(message({1, 1}, {0, 0}, {}), "the start is an obstacle");
   EXPECT_EQ(message({0, 0}, {3, 0}, {.sensor_range = 0.5}),
             "the range of the sensor must be at least 1 cell");
+  EXPECT_EQ(message({0, 0}, {3, 0}, {.keep = -1}), "keep must be at least 0");
   EXPECT_EQ(message({0, 0}, {3, 0}, {.planner = {"theta_star"}}),
             "an explorer steps from cell to cell, which theta_star does not");
   EXPECT_EQ(message({0, 0}, {3, 0}, {.planner = {"replanner", {{"weight", "2"}}}}),

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wend/planner/grid/grid_planner.hpp"
+#include "wend/planner/rest_of_path.hpp"
 #include "wend/space/grid/grid_path.hpp"
 
 namespace wend {
@@ -107,6 +108,11 @@ Status CellPlanner::do_plan(const Query& query, Plan& out) {
 
 std::string CellPlanner::do_reason(const Query& query, Status status) const {
   return reason_in_cells(free_space(), query, status);
+}
+
+std::optional<Plan> CellPlanner::do_rest_of(const Path& path, const Query& query,
+                                            std::size_t& passed) const {
+  return rest_of_steps(free_space(), moves_, path.cells(), query, passed);
 }
 
 std::optional<Error> CellPlanner::do_update(const SpaceChange& /*change*/) { return std::nullopt; }

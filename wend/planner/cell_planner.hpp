@@ -110,6 +110,8 @@ class WEND_API CellPlanner : public Planner {
   Status do_plan(const Query& query, Plan& out) final;
   std::string do_reason(const Query& query, Status status) const final;
   std::optional<GridMoves> do_grid_moves() const final { return moves_; }
+  std::optional<Plan> do_rest_of(const Path& path, const Query& query,
+                                 std::size_t& passed) const final;
   /// Nothing is prepared for a map. Override it if search() keeps something of the map.
   std::optional<Error> do_update(const SpaceChange& change) override;
 

@@ -86,6 +86,16 @@ class WEND_API Planner {
   /// nearest_ends() finds places. O(places examined).
   std::optional<Point> nearest_free(const Goal& goal) const { return do_nearest_free(goal); }
 
+  /// What is left of a path that a planner with the same options found before to the query's goals, for a robot at
+  /// the query's start: legal on the present free space, with what it costs there. Only `path`, `cost`, `moves` and
+  /// `start_snapping_error` are set. It joins the start to the path ahead by moves of the planner; on a lattice it
+  /// begins on the path, where that is nearest to the start. `passed` is the index of a cell, waypoint or pose behind
+  /// the robot, 0 at first, and is brought up to date. Nothing if the rest is not free any more, if the start is too
+  /// far from it, or if the planner has no such function. O(length of the path).
+  std::optional<Plan> rest_of(const Path& path, const Query& query, std::size_t& passed) const {
+    return do_rest_of(path, query, passed);
+  }
+
   /// Spacing of the car's lattice in cells; 0 for grid planners.
   int corner_unit() const { return do_corner_unit(); }
 
@@ -132,6 +142,10 @@ class WEND_API Planner {
   virtual std::uint64_t do_state_count() const { return free_space().passable().count(); }
   virtual std::optional<GridMoves> do_grid_moves() const { return GridMoves{}; }
   virtual std::optional<Point> do_nearest_free(const Goal& /*goal*/) const { return std::nullopt; }
+  virtual std::optional<Plan> do_rest_of(const Path& /*path*/, const Query& /*query*/,
+                                         std::size_t& /*passed*/) const {
+    return std::nullopt;
+  }
   virtual int do_corner_unit() const { return 0; }
   virtual std::unique_ptr<Planner> do_clone() const = 0;
   /// Why the planner cannot plan on the new free_space(), if it cannot.

@@ -231,7 +231,8 @@ FreeSpaceOptions FreeSpace::options() const {
           .unknown = obstacles().unknown(),
           .outside = outside(),
           .clearance_distance = robot().clearance_distance,
-          .clearance_cost = robot().clearance_cost};
+          .clearance_cost = robot().clearance_cost,
+          .primitives = robot().primitives};
 }
 
 double FreeSpace::clearance(Cell cell, double most) const {

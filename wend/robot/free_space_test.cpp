@@ -232,6 +232,19 @@ TEST(FreeSpace, OfAMapInCellsIsNotNarrowedByTheMapsEdge) {
   EXPECT_EQ(space.why_blocked(Cell{3, 0}), BlockReason::outside);
 }
 
+TEST(FreeSpace, HasTheOptionsThatMakeItAgain) {
+  const GridMap map = *make_grid_map(Grid<CellState>(5, 3, CellState::free), {.resolution = 0.1});
+  const FreeSpaceOptions options{.footprint = Footprint::disc(0.15),
+                                 .unknown = UnknownPolicy::free,
+                                 .outside = OutsidePolicy::free,
+                                 .clearance_distance = 0.2,
+                                 .clearance_cost = 3,
+                                 .primitives = *MotionPrimitives::turning_circle(1)};
+  const FreeSpace space = *make_free_space(map, options);
+  EXPECT_EQ(space.options(), options);
+  EXPECT_EQ(make_free_space(map, space.options())->robot(), space.robot());
+}
+
 TEST(FreeSpace, OfAMapInMetresKeepsTheDiscOnTheMap) {
   const GridMap map =
       *make_grid_map(Grid<CellState>(5, 3, CellState::free), {.resolution = 0.1, .metric = true});

@@ -45,6 +45,9 @@ struct PlanRequest {
   /// Answers from the costs to the goals from everywhere, which are kept for the next request with the
   /// same goals. For planners that step from cell to cell.
   bool from_field = false;
+  /// For Session::replan(), at least 0: by which share of its cost another path must be cheaper than what is left of
+  /// the last one. 0: any cheaper path is taken; 1: the last one is kept as long as it is free.
+  double keep = 0;
   Refinement refinement = {};                       // the planner's moves replace its adjacency
   std::optional<TrajectoryLimits> trajectory = {};  // also times the path
   double corner_rounding = kCornerRounding;         // cells; of the trajectory
@@ -61,6 +64,7 @@ struct PlanAnswer {
   std::vector<std::string> notes = {};  // a sentence for each end that was moved, and one if a
                                         // polygon was planned for as the disc around it
   double search_seconds = 0;            // by SessionOptions::clock
+  bool kept = false;                    // is it what was left of the last path? See Session::replan()
 
   /// The path, refined if it could be; in grid coordinates.
   const Path& path() const { return refined ? refined->path : plan.path; }

@@ -1,14 +1,14 @@
 #include "wend/session/session.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "wend/base/mutex.hpp"
 #include "wend/planner/goal_region.hpp"
-#include "wend/planner/incremental/incremental_options.hpp"
 #include "wend/planner/index_support.hpp"
+#include "wend/session/kept_field.hpp"
+#include "wend/session/kept_plan.hpp"
 #include "wend/session/nearest_ends.hpp"
+#include "wend/session/resuming.hpp"
 
 namespace wend {
 namespace {
@@ -32,21 +32,18 @@ bool steps_from_cell_to_cell(const PlannerSpec& spec) {
   return info != nullptr && !info->capabilities.any_angle;
 }
 
-/// The planner that answers again after edits: the one asked for if it resumes, else `replanner` with the same
-/// moves.
-PlannerSpec resuming(const PlannerSpec& spec) {
-  const PlannerInfo* info = planners().find(spec.name);
-  if (info == nullptr || info->capabilities.resumes) return spec;
-  PlannerSpec replanner{std::string(ReplannerOptions::kPlanner)};
-  const std::vector<OptionInfo> moves = option_schema<GridMoves>();
-  std::ranges::copy_if(
-      spec.options, std::back_inserter(replanner.options), [&](const auto& option) {
-        return std::ranges::any_of(moves, [&](const OptionInfo& info) {
-          return info.name == option.first ||
-                 std::ranges::find(info.aliases, option.first) != info.aliases.end();
-        });
-      });
-  return replanner;
+std::optional<Error> fault_of(const PlanRequest& request, bool steps) {
+  if (!(request.keep >= 0)) {
+    return Error{Status::invalid_option, "keep must be at least 0", "keep"};
+  }
+  if (request.goals.empty()) {
+    return Error{Status::unsupported_query, "there is no goal", "goals"};
+  }
+  if (request.from_field && !steps) {
+    return Error{Status::unsupported_query,
+                 "only planners that step from cell to cell answer from a field", "from_field"};
+  }
+  return std::nullopt;
 }
 
 /// Moves blocked ends. Returns a sentence for each.
@@ -67,12 +64,15 @@ std::vector<std::string> move_ends(Query& query, const Planner& planner, const E
 }  // namespace
 
 struct Session::State {
-  /// The last field of costs, and what it is for.
-  struct KeptField {
+  /// What a view is made of.
+  struct Parts {
+    GridMap map;
+    FreeSpaceOptions robot;
+    std::string frame_id;
     std::uint64_t version;
-    std::vector<Cell> goals;
-    GridMoves moves;
-    std::shared_ptr<const CostToGo> costs;
+    std::optional<Obstacles> obstacles;  // of this map, if they are known
+
+    Expected<View, Error> made();
   };
 
   explicit State(SessionOptions chosen)
@@ -80,14 +80,23 @@ struct Session::State {
 
   double now() const { return options.clock ? options.clock() : steady_seconds(); }
 
+  /// `asked` is the planner that a robot asked for that replans; null: it does not.
   Expected<PlanAnswer, RequestFailure> answer(const View& view, Planner& planner,
-                                              const PlannerSpec& spec, const PlanRequest& request);
-  Expected<Field, PlanFailure> field_to(const View& view, std::vector<Cell> goals, GridMoves moves,
-                                        const Limits& limits);
+                                              const PlannerSpec& spec, const PlanRequest& request,
+                                              const PlannerSpec* asked = nullptr);
+  std::optional<AnsweredPath> take_rest(const Errand& errand, const Planner& planner,
+                                        const Query& query, double keep, Status& status,
+                                        PlanAnswer& answer) const;
+  void remember(Errand errand, std::optional<AnsweredPath> rest_of, const PlanAnswer& answer);
   Status look_up(const View& view, const Query& query, Cell start, GridMoves moves, Plan& plan);
 
-  /// Called with the lock. Makes the free space if map or robot have changed.
-  Expected<View, Error> make_view();
+  /// Makes the free space if map or robot have changed. Who needs the same one waits; nobody else does.
+  Expected<View, Error> view();
+
+  // Called with the lock.
+  std::optional<Expected<View, Error>> known_view() const;
+  Expected<SpaceChange, Error> edit_view(View& view, const MapEdit& edit);
+  void forget_view();
 
   const SessionOptions options;
   WarmPlanners planners;
@@ -101,30 +110,54 @@ struct Session::State {
   std::optional<Obstacles> obstacles;  // of the last space
   ObstacleOptions obstacle_options;
   std::optional<Expected<View, Error>> kept_view;
+  std::shared_ptr<Mutex> making;  // held by who makes the view of this version; null: nobody does
 
-  void forget_field() {
-    const MutexLock lock(field_mutex);
-    kept_field.reset();
-  }
-
-  Mutex field_mutex;  // guards the field, whose making does not stop planners
-  std::optional<KeptField> kept_field;
+  KeptField field;  // of costs; has a lock of its own
+  KeptPlan kept;    // the same
 };
 
-Expected<Session::View, Error> Session::State::make_view() {
-  if (!map) return failure(Status::invalid_map, why_no_map);
-  if (kept_view) return *kept_view;
-  if (!obstacles || obstacle_options != robot.obstacles()) {
-    obstacle_options = robot.obstacles();
-    obstacles.emplace(*map, obstacle_options);
-  }
+Expected<Session::View, Error> Session::State::Parts::made() {
+  if (!obstacles) obstacles.emplace(map, robot.obstacles());
   auto space = make_free_space(*obstacles, robot.robot());
-  if (space) {
-    kept_view.emplace(View{*std::move(space), frame_id, version});
-  } else {
-    kept_view.emplace(Unexpected<Error>(std::move(space.error())));
+  if (!space) return Unexpected<Error>(std::move(space.error()));
+  return View{*std::move(space), frame_id, version};
+}
+
+std::optional<Expected<Session::View, Error>> Session::State::known_view() const {
+  if (!map) return failure(Status::invalid_map, why_no_map);
+  return kept_view;
+}
+
+Expected<Session::View, Error> Session::State::view() {
+  std::shared_ptr<Mutex> turn;
+  {
+    const MutexLock lock(mutex);
+    if (auto known = known_view()) return *std::move(known);
+    if (!making) making = std::make_shared<Mutex>();
+    turn = making;
   }
-  return *kept_view;
+  const MutexLock my_turn(*turn);
+  std::optional<Parts> parts;
+  {
+    const MutexLock lock(mutex);
+    if (auto known = known_view()) return *std::move(known);
+    parts.emplace(*map, robot, frame_id, version, std::nullopt);
+    if (obstacle_options == robot.obstacles()) parts->obstacles = obstacles;
+  }
+  auto made = parts->made();
+  const MutexLock lock(mutex);
+  if (version == parts->version) {
+    kept_view = made;
+    obstacles = parts->obstacles;
+    obstacle_options = parts->robot.obstacles();
+  }
+  return made;
+}
+
+void Session::State::forget_view() {
+  kept_view.reset();
+  making.reset();
+  ++version;
 }
 
 Session::Session(SessionOptions options) : state_(std::make_unique<State>(std::move(options))) {}
@@ -142,27 +175,31 @@ void Session::set_map(GridMap map, std::string frame_id) {
   state_->map = std::move(map);
   state_->frame_id = std::move(frame_id);
   state_->obstacles.reset();
-  state_->kept_view.reset();
-  ++state_->version;
+  state_->forget_view();
 }
 
 Expected<SpaceChange, Error> Session::edit(const MapEdit& edit) {
-  const MutexLock lock(state_->mutex);
   State& state = *state_;
-  if (const auto seen = state.make_view(); !seen) return Unexpected<Error>(seen.error());
-  View& view = **state.kept_view;  // NOLINT(bugprone-unchecked-optional-access): just made
+  for (;;) {
+    if (const auto seen = state.view(); !seen) return Unexpected<Error>(seen.error());
+    const MutexLock lock(state.mutex);
+    // Map and robot may have been replaced meanwhile.
+    if (state.kept_view && *state.kept_view) return state.edit_view(**state.kept_view, edit);
+  }
+}
+
+Expected<SpaceChange, Error> Session::State::edit_view(View& view, const MapEdit& edit) {
   if (auto fault = fault_of(edit, view.space.map())) return Unexpected<Error>(*std::move(fault));
   // Whatever shares the space would make the edit copy it.
-  state.map.reset();
-  state.obstacles.reset();
-  state.forget_field();
-  auto planners = state.planners.release(state.version);
+  map.reset();
+  obstacles.reset();
+  field.forget();
+  auto idle = planners.release(version);
   auto change = view.space.edit(edit);
-  state.map = view.space.map();
-  state.obstacles = view.space.obstacles();
-  if (change) view.version = ++state.version;
-  state.planners.keep(std::move(planners), view.space, change ? *change : SpaceChange{},
-                      state.version);
+  map = view.space.map();
+  obstacles = view.space.obstacles();
+  if (change) view.version = ++version;
+  planners.keep(std::move(idle), view.space, change ? *change : SpaceChange{}, version);
   return change;
 }
 
@@ -171,22 +208,17 @@ void Session::clear_map(std::string why) {
   state_->map.reset();
   state_->why_no_map = std::move(why);
   state_->obstacles.reset();
-  state_->kept_view.reset();
-  ++state_->version;
+  state_->forget_view();
 }
 
 void Session::set_robot(FreeSpaceOptions robot) {
   const MutexLock lock(state_->mutex);
   if (robot == state_->robot) return;
   state_->robot = std::move(robot);
-  state_->kept_view.reset();
-  ++state_->version;
+  state_->forget_view();
 }
 
-Expected<Session::View, Error> Session::view() const {
-  const MutexLock lock(state_->mutex);
-  return state_->make_view();
-}
+Expected<Session::View, Error> Session::view() const { return state_->view(); }
 
 Expected<PlanAnswer, RequestFailure> Session::plan(const PlanRequest& request) {
   auto seen = view();
@@ -204,26 +236,28 @@ Expected<PlanAnswer, RequestFailure> Session::plan(const View& view, const PlanR
 
 Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Planner& planner,
                                                             const PlannerSpec& spec,
-                                                            const PlanRequest& request) {
+                                                            const PlanRequest& request,
+                                                            const PlannerSpec* asked) {
   const Units units(view.space.map());
   const auto moves = planner.grid_moves();
   const Explainer explainer(view.space, units, moves.value_or(GridMoves{}), options.hints);
-  Query query = query_of(request, view.space.map().frame());
-  if (query.goals.empty())
-    return no_plan(Error{Status::unsupported_query, "there is no goal", "goals"});
-  if (request.from_field && !(moves && steps_from_cell_to_cell(spec))) {
-    return no_plan(Error{Status::unsupported_query,
-                         "only planners that step from cell to cell answer from a field",
-                         "from_field"});
+  if (auto fault = fault_of(request, moves && steps_from_cell_to_cell(spec))) {
+    return no_plan(*std::move(fault));
   }
+  Query query = query_of(request, view.space.map().frame());
   PlanAnswer answer{.space = view.space, .plan = {}, .moves = moves};
   if (request.nearest) answer.notes = move_ends(query, planner, explainer, units);
   const Ends ends = ends_of(query, units);
   const double begin = now();
-  const Status status = request.from_field
-                            ? look_up(view, query, ends.start.cell, *moves, answer.plan)
-                            : planner.plan(query, answer.plan);
+  Status status = request.from_field ? look_up(view, query, ends.start.cell, *moves, answer.plan)
+                                     : planner.plan(query, answer.plan);
   answer.search_seconds = now() - begin;
+  Errand errand;
+  std::optional<AnsweredPath> rest_of;
+  if (asked != nullptr) {
+    errand = {*asked, query.goals, view.space.map().frame()};
+    rest_of = take_rest(errand, planner, query, request.keep, status, answer);
+  }
   if (status != Status::found) {
     const SearchMetrics& metrics = answer.plan.metrics;
     std::string why = request.explain ? explainer.explain(planner, query, ends, status, metrics)
@@ -233,24 +267,58 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
   auto disc = explainer.planned_as_disc(planner);
   if (!disc.empty()) answer.notes.push_back("the robot is " + std::move(disc));
   finish_path(answer, request);
+  if (asked != nullptr) remember(std::move(errand), std::move(rest_of), answer);
   return answer;
+}
+
+/// Makes what is left of the last path the answer, if it is kept. Returns which path that is.
+std::optional<AnsweredPath> Session::State::take_rest(const Errand& errand, const Planner& planner,
+                                                      const Query& query, double keep,
+                                                      Status& status, PlanAnswer& answer) const {
+  auto rest = kept.rest(errand, planner, query);
+  if (!rest) return std::nullopt;
+  const bool same = status == Status::found && answer.plan.path == rest->plan.path;
+  if (!same) {
+    if (!is_kept(rest->plan, status, answer.plan, keep)) return std::nullopt;
+    rest->plan.metrics = answer.plan.metrics;
+    answer.plan = std::move(rest->plan);
+    status = Status::found;
+    if (query.on_solution) query.on_solution(answer.plan);
+  }
+  answer.kept = true;
+  return std::move(rest->of);
+}
+
+/// Keeps the answer for the next time.
+void Session::State::remember(Errand errand, std::optional<AnsweredPath> rest_of,
+                              const PlanAnswer& answer) {
+  AnsweredPath path;
+  if (rest_of) {
+    path = *std::move(rest_of);
+  } else {
+    path = {std::move(errand), std::make_shared<const Path>(answer.plan.path), nullptr,
+            answer.plan.goal_snapping_error};
+  }
+  path.answered = std::make_shared<const Path>(answer.path());
+  kept.keep(std::move(path));
 }
 
 /// Plan::metrics are those of making the field: 0 if it was kept.
 Status Session::State::look_up(const View& view, const Query& query, Cell start, GridMoves moves,
                                Plan& plan) {
-  const auto field = field_to(view, goal_cells(view.space, query), moves, query.limits);
-  if (!field) {
-    plan.metrics = field.error().metrics;
-    return field.error().status;
+  const auto to_goals =
+      field.get(view.space, view.version, goal_cells(view.space, query), moves, query.limits);
+  if (!to_goals) {
+    plan.metrics = to_goals.error().metrics;
+    return to_goals.error().status;
   }
-  auto found = field->costs->path_from(start);
+  auto found = to_goals->costs->path_from(start);
   if (!found) {
-    plan.metrics = field->metrics;
+    plan.metrics = to_goals->metrics;
     return found.error().status;
   }
   plan = *std::move(found);
-  plan.metrics = field->metrics;
+  plan.metrics = to_goals->metrics;
   return Status::found;
 }
 
@@ -261,9 +329,11 @@ Expected<PlanAnswer, RequestFailure> Session::replan(const PlanRequest& request)
 }
 
 Expected<PlanAnswer, RequestFailure> Session::replan(const View& view, const PlanRequest& request) {
-  PlanRequest again = request;
-  again.planner = resuming(request.planner);
-  return plan(view, again);
+  PlannerSpec spec = resuming(request.planner, view.space);
+  if (request.observer != nullptr) spec = without_leaps(std::move(spec));
+  auto planner = state_->planners.take(view.space, view.version, spec);
+  if (!planner) return no_plan(std::move(planner.error()));
+  return state_->answer(view, **planner, spec, request, &request.planner);
 }
 
 Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan_all(
@@ -321,25 +391,9 @@ Expected<NoPath, Error> Session::why_no_path(MapPoint start, MapPoint goal, Grid
 
 Expected<Session::Field, PlanFailure> Session::cost_to_go(const View& view, std::vector<Cell> goals,
                                                           GridMoves moves, const Limits& limits) {
-  return state_->field_to(view, std::move(goals), moves, limits);
-}
-
-Expected<Session::Field, PlanFailure> Session::State::field_to(const View& view,
-                                                               std::vector<Cell> goals,
-                                                               GridMoves moves,
-                                                               const Limits& limits) {
-  // Making it under its lock lets a second caller wait for it, not make another.
-  const MutexLock lock(field_mutex);
-  if (kept_field && kept_field->version == view.version && kept_field->goals == goals &&
-      kept_field->moves == moves) {
-    return Field{kept_field->costs, {}};
-  }
-  auto made = CostToGo::make(view.space, goals, moves, limits);
+  auto made = state_->field.get(view.space, view.version, std::move(goals), moves, limits);
   if (!made) return Unexpected<PlanFailure>(std::move(made.error()));
-  const SearchMetrics metrics = made->metrics();
-  auto costs = std::make_shared<const CostToGo>(*std::move(made));
-  kept_field = KeptField{view.version, std::move(goals), moves, costs};
-  return Field{std::move(costs), metrics};
+  return Field{std::move(made->costs), made->metrics};
 }
 
 Expected<void, Error> Session::build_index(std::string_view planner,

@@ -92,10 +92,16 @@ class WEND_API Session {
   /// The same on a view of this session.
   Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
 
-  /// Plans like plan(), for a robot that drives while its map changes: with a planner that keeps what it found
-  /// for the next call and repairs it after edits, `replanner` with the moves of the request's planner, or that
-  /// planner itself if it resumes (Capabilities). Nothing was expanded if the rest of the last path is still
-  /// the cheapest.
+  /// Plans like plan(), for a robot that drives while its map changes. What is left of the path that the last call
+  /// answered, from the robot's place on, is answered again unless another path is cheaper by more than the share
+  /// PlanRequest::keep: if it is free on the present map, is for the same planner and goals on a map with the same
+  /// frame, and the robot is no farther from it than two cells, or 0.3 m if that is more. It is also answered if a
+  /// limit ended the search, or a planner that is not complete found nothing. Its cost is that of the present map.
+  ///
+  /// Planners from cell to cell that are optimal and need no index, such as `astar`, are replaced by `replanner` with
+  /// the same moves, which keeps what it found for the next call and repairs it after edits: nothing was expanded if
+  /// the rest of the last path is still the cheapest. Planners that resume (Capabilities) do so themselves; all others
+  /// plan anew.
   ///
   ///   auto answer = session.replan(request);
   ///   while (answer && !arrived()) {

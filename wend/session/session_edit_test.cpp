@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "wend/base/random.hpp"
@@ -131,8 +133,57 @@ TEST(SessionEdit, ForgetsTheFieldOfCosts) {
   EXPECT_LT(after->costs->cost({10, 10}), before->costs->cost({10, 10}));
 }
 
-/// The pose is free, has the asked heading, and no middle of a cell with that heading is nearer: checked
-/// with each of the map's cells.
+/// The field's own clock plans and edits, in another thread, while the field is being made: it goes on only when both
+/// are done.
+TEST(SessionEdit, NeitherEditNorPlanWaitsForAField) {
+  Session session(walled_room());
+  const auto view = session.view();
+  int calls = 0;
+  Limits limits;
+  limits.clock = [&] {
+    if (calls++ == 1) {
+      std::thread other([&] {
+        EXPECT_TRUE(session.edit(opening()));
+        EXPECT_TRUE(session.plan(across()));
+        EXPECT_TRUE(session.cost_to_go(*session.view(), {{80, 10}}));
+      });
+      other.join();
+    }
+    return 0.0;
+  };
+  const auto field = session.cost_to_go(*view, {{90, 10}}, {}, limits);
+  ASSERT_TRUE(field);
+  EXPECT_GT(calls, 1);
+  const auto unedited = CostToGo::make(view->space, std::vector<Cell>{{90, 10}}, GridMoves{});
+  ASSERT_TRUE(unedited);
+  EXPECT_EQ(field->costs->cost({10, 10}), unedited->cost({10, 10})) << "it is that of the old view";
+}
+
+/// Both ask for the same field; whoever is second gets what the first made.
+TEST(SessionEdit, OneFieldIsMadeForAllWhoAskForIt) {
+  Session session(walled_room());
+  const auto view = session.view();
+  std::thread second;
+  std::shared_ptr<const CostToGo> theirs;
+  SearchMetrics their_work{1, 1, 1};
+  Limits limits;
+  limits.clock = [&] {
+    if (!second.joinable()) {
+      second = std::thread([&] {
+        const auto field = session.cost_to_go(*view, {{90, 10}});
+        if (!field) return;
+        theirs = field->costs;
+        their_work = field->metrics;
+      });
+    }
+    return 0.0;
+  };
+  const auto field = session.cost_to_go(*view, {{90, 10}}, {}, limits);
+  second.join();
+  ASSERT_TRUE(field);
+  EXPECT_EQ(theirs, field->costs);
+  EXPECT_EQ(their_work.expanded, 0U);
+}
 
 TEST(SessionEdit, IsReplannedWithWhatWasFoundBefore) {
   Session session(walled_room());

@@ -70,7 +70,11 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
                                                << "' expected");
       return false;
     }
-    const Ask ask{.start = *from, .goals = {*to}, .planner = {}, .options = {}};
+    const Ask ask{.start = *from,
+                  .goals = {*to},
+                  .planner = {},
+                  .options = {},
+                  .keep = parameters_.number("keep")};
     const auto [result, path, driven, way] = answer(session_, *map, parameters_, ask);
     if (result.status != static_cast<std::uint16_t>(StatusCode::found)) {
       ROS_WARN_STREAM(result.status_name << ": " << result.reason);

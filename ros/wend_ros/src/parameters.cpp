@@ -38,6 +38,7 @@ struct NodeOptions {
   double goal_heading_tolerance = 0;
   bool nearest = false;
   ReplanOnChange replan_on_change = ReplanOnChange::ahead;
+  double keep = 0;
   bool smooth = true;
   double smooth_alpha = wend::GradientOptions{}.alpha;
   double smooth_beta = wend::GradientOptions{}.beta;
@@ -68,6 +69,10 @@ struct NodeOptions {
          "plan again to the topics' goal after a change of the map: ahead, if it touches the path "
          "ahead or there is no path; always; never"},
         self.replan_on_change);
+    field({"keep",
+           "the share by which another path to the topics' goal must be cheaper than what is left "
+           "of the last one to be taken; 0: paths are not compared"},
+          self.keep, {0, 100});
     field({"smooth", "publish a smoothed path as well"}, self.smooth);
     field({"smooth_alpha", "weight that holds the points of the path in place"}, self.smooth_alpha,
           {0, 2});

@@ -221,7 +221,11 @@ void PlannerNode::plan_to(const geometry_msgs::PoseStamped& goal, Reason reason)
   // A search that is watched expands cell by cell, and why there is no path takes even longer.
   SearchWatch watch(true);
   const bool quiet = reason < Reason::time;
-  Answer answered = answer(map, request, {&cancel_topics_, quiet ? nullptr : &watch, !quiet});
+  Answer answered = answer(map, request,
+                           {.cancel = &cancel_topics_,
+                            .watch = quiet ? nullptr : &watch,
+                            .explain = !quiet,
+                            .keep = reconfigure_->parameters().number("keep")});
   const PlanResult& result = answered.result;
   if (map) publisher_.show(answered, map->view, quiet ? nullptr : &watch);
   publisher_.tell(result);
@@ -279,7 +283,10 @@ Answer PlannerNode::answer(const Map& map, const PlanRequest& request, const Man
   if (!map) return {refusal(code_of(map.error().status), map.error().message)};
   const wend::Session::View& view = map->view;
   auto ask = ask_of(request, view);
-  if (ask) ask->explain = manner.explain;
+  if (ask) {
+    ask->explain = manner.explain;
+    ask->keep = manner.keep;
+  }
   Watch watch{manner.cancel, manner.watch};
   if (manner.watch != nullptr) {
     watch.on_solution = [&](const wend::Plan& plan) { manner.watch->on_solution(plan); };

@@ -63,6 +63,7 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
   request.nearest = ask.nearest;
   request.explain = ask.explain;
   request.from_field = ask.from_field;
+  request.keep = ask.keep;
   request.trajectory = limits_of(parameters);
   return request;
 }
@@ -201,7 +202,7 @@ Answer answer(wend::Session& session, const wend::Session::View& view, const Par
   if (!spec) return {refusal(code_of(spec.error().status), spec.error().message)};
   wend::PlanRequest request = request_of(parameters, ask, watch, *spec);
   refine_as_asked(request, parameters);
-  auto answered = session.plan(view, request);
+  auto answered = ask.keep > 0 ? session.replan(view, request) : session.plan(view, request);
   PlanResult result;
   std::optional<double> heading;  // to turn to at the end
   if (answered && !ask.any_heading && is_of_cells(spec->name)) {

@@ -285,6 +285,27 @@ TEST(Planning, AnswersFromTheFieldWithTheSameCost) {
   EXPECT_NEAR(planning.answer({}, from_field).cost, second.cost, 1e-9);
 }
 
+/// A path to drive is kept; a question is answered anew.
+TEST(Planning, KeepsAPathUnlessAnotherIsCheaperByTheShare) {
+  for (const std::string planner : {"astar", "theta_star", "hybrid_astar"}) {
+    wend::Session session{session_options()};
+    session.set_map(room());
+    const auto cost = [&](double keep) {
+      Ask asked = ask({1, 1, 0}, {9, 1, 0});
+      asked.planner = planner;
+      asked.keep = keep;
+      return answer(session, *session.view(), Parameters(), asked).result.cost;
+    };
+    const double around = cost(0.5);
+    const wend::Grid<wend::CellState> door(1, 10, wend::CellState::free);
+    ASSERT_TRUE(session.edit({.corner = {50, 60}, .states = door}));
+    const double through = cost(0);
+    EXPECT_LT(through, 0.95 * around) << planner;
+    EXPECT_NEAR(cost(0.5), around, 1e-6 * around) << planner;
+    EXPECT_NEAR(cost(0.01), through, 1e-6 * through) << planner;
+  }
+}
+
 TEST(Parameters, AreDescribedFromTheSchema) {
   const Parameters parameters;
   const auto description = parameters.description();

@@ -111,6 +111,7 @@ wend::PlanRequest PathPlanner::request_of(const PathRequest& request, double tol
       .nearest = plugin.nearest,
       // The failure of the query itself is what is reported. An explanation takes time.
       .explain = plugin.explain && tolerance == 0};
+  made.keep = plugin.keep;
   made.limits.seconds = watch.end - wend::steady_seconds();
   if (plugin.smooth && !capabilities_of(settings_.planner).headings) {
     made.refinement.smoother = wend::SmootherChoice{};

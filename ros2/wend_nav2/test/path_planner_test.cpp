@@ -237,6 +237,61 @@ TEST(PathPlanner, AnsweringAfterChangesIsAnsweringAnew) {
   }
 }
 
+double length_of(const PathPlanner::Poses& poses) {
+  double sum = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    sum += distance(poses[i - 1].point(), poses[i].point());
+  }
+  return sum;
+}
+
+/// Of every planner: a path of poses keeps its headings and its turning radius.
+TEST(PathPlanner, ReplansWithAllThatWasAskedFor) {
+  Costmap map = empty_costmap(60, 60);
+  for (int y = 0; y < 40; ++y) map.at(30, y) = 254;
+  const wend::MapPose start{map.layout.resolution * 10.5, map.layout.resolution * 10.5, 0};
+  const wend::MapPose goal{map.layout.resolution * 50.5, map.layout.resolution * 10.5, -1.5};
+  for (const wend::PlannerInfo& info : wend::planners()) {
+    if (info.name == "random_walk") continue;
+    SCOPED_TRACE(info.name);
+    const auto fresh = plan_once(settings_of(info.name), map, start, goal);
+    const auto again = plan_once(settings_of(info.name, {{"replan", "true"}}), map, start, goal);
+    EXPECT_EQ(kind_of(again), kind_of(fresh));
+    if (!fresh || !again) continue;
+    if (info.guarantee != wend::Guarantee::optimal) {
+      EXPECT_NEAR(length_of(*again), length_of(*fresh), 0.03 * length_of(*fresh));
+    }
+    if (!info.capabilities.headings) continue;
+    ASSERT_EQ(again->size(), fresh->size());
+    for (std::size_t i = 0; i < fresh->size(); ++i) {
+      EXPECT_NEAR(distance((*again)[i].point(), (*fresh)[i].point()), 0, 1e-9);
+      EXPECT_NEAR((*again)[i].heading, (*fresh)[i].heading, 1e-9);
+    }
+  }
+}
+
+TEST(PathPlanner, KeepsAPathUnlessAnotherIsCheaperByTheShare) {
+  for (const std::string name : {"astar", "theta_star", "hybrid_astar"}) {
+    for (const std::string keep : {"0", "0.9"}) {
+      PathPlanner warm;
+      warm.set(settings_of(name, {{"smooth", "false"}, {"replan", "true"}, {"keep", keep}}));
+      Costmap map = empty_costmap(60, 60);
+      for (int y = 0; y < 40; ++y) map.at(30, y) = 254;
+      const wend::MapPose start{map.layout.resolution * 10.5, map.layout.resolution * 10.5, 0};
+      const wend::MapPose goal{map.layout.resolution * 50.5, map.layout.resolution * 10.5, 0};
+      const auto around = plan(warm, map, start, goal);
+      for (int y = 5; y < 20; ++y) map.at(30, y) = 0;
+      const auto again = plan(warm, map, start, goal);
+      ASSERT_TRUE(around && again) << name;
+      if (keep == "0.9") {
+        EXPECT_NEAR(length_of(*again), length_of(*around), 1e-6) << name;
+      } else {
+        EXPECT_LT(length_of(*again), 0.8 * length_of(*around)) << name;
+      }
+    }
+  }
+}
+
 TEST(PathPlanner, ARobotThatIsNotRoundFitsWithItsFootprint) {
   Costmap map = empty_costmap(20, 18);
   for (int x = 0; x < 20; ++x) {

@@ -1,6 +1,7 @@
 #include "wend/planner/grid/grid_planner.hpp"
 
 #include "wend/base/parse.hpp"
+#include "wend/planner/rest_of_path.hpp"
 #include "wend/space/grid/grid_path.hpp"
 #include "wend/space/grid/line_cost.hpp"
 
@@ -117,6 +118,13 @@ std::string GridPlanner::do_reason(const Query& query, Status status) const {
 double GridPlanner::do_heuristic(const Pose& pose) const {
   const auto cell = cell_under(free_space(), pose.point());
   return cell && engine_ != nullptr ? engine_->heuristic(*cell) : 0;
+}
+
+std::optional<Plan> GridPlanner::do_rest_of(const Path& path, const Query& query,
+                                            std::size_t& passed) const {
+  if (engine_ == nullptr) return std::nullopt;
+  if (any_angle_) return rest_of_lines(free_space(), moves_.adjacency(), path, query, passed);
+  return rest_of_steps(free_space(), moves_, path.cells(), query, passed);
 }
 
 std::unique_ptr<Planner> GridPlanner::do_clone() const {

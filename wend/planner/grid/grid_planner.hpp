@@ -75,6 +75,8 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
   std::optional<GridMoves> do_grid_moves() const override { return moves_; }
+  std::optional<Plan> do_rest_of(const Path& path, const Query& query,
+                                 std::size_t& passed) const override;
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(const SpaceChange& change) override;
   void do_release() override;

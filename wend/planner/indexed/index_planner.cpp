@@ -2,6 +2,7 @@
 
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/index_support.hpp"
+#include "wend/planner/rest_of_path.hpp"
 
 namespace wend {
 namespace {
@@ -97,6 +98,14 @@ class IndexPlanner final : public Planner {
   std::string do_reason(const Query& query, Status status) const override {
     if (answers_ == nullptr) return why_none_.message;
     return reason_in_cells(free_space(), query, status);
+  }
+
+  std::optional<Plan> do_rest_of(const Path& path, const Query& query,
+                                 std::size_t& passed) const override {
+    if (answers_ == nullptr) return std::nullopt;
+    if (path.cells().empty())
+      return rest_of_lines(free_space(), Adjacency::edges, path, query, passed);
+    return rest_of_steps(free_space(), {}, path.cells(), query, passed);
   }
 
   std::unique_ptr<Planner> do_clone() const override {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -17,6 +18,7 @@
 
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/query_ends.hpp"
+#include "wend/planner/lattice/rest_on_lattice.hpp"
 #include "wend/planner/search_planner.hpp"
 #include "wend/robot/nearest_passable.hpp"
 #include "wend/space/lattice/lattice_pose.hpp"
@@ -153,6 +155,39 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
         nearest_accepted(grid.columns, grid.rows, grid.nearest(goal.point), is_free);
     if (!vertex) return std::nullopt;
     return grid.point(*vertex);
+  }
+
+  std::optional<Plan> do_rest_of(const Path& path, const Query& query,
+                                 std::size_t& passed) const override {
+    if (!lattice_ || !path.driven()) return std::nullopt;
+    const auto place = place_on_path(path.driven_poses(), query.start, passed);
+    if (!place) return std::nullopt;
+    auto rest = rest_on(*lattice_, path.driven_poses(), *place);
+    if (!rest) return std::nullopt;
+    passed = place->joint;
+    rest->start_snapping_error = {place->distance, place->turn};
+    return rest;
+  }
+
+  /// The pose at which a plan from this start would begin, if it is on the path; else the nearest one, if it is near.
+  std::optional<PlaceOnDrive> place_on_path(std::span<const Pose> poses, const Pose& start,
+                                            std::size_t passed) const {
+    if (const auto taken = lattice_->place_on(start)) {
+      const Pose begin = lattice_->to_grid(*taken);
+      const auto ahead = poses.subspan(std::min(passed, poses.size() - 1));
+      const auto found = std::ranges::find(ahead, begin);
+      if (found != ahead.end()) {
+        const SnappingError error = snapping_error_between(start, begin);
+        const auto joint = static_cast<std::size_t>(found - ahead.begin());
+        return PlaceOnDrive{joint + (poses.size() - ahead.size()), 0, begin, error.distance,
+                            error.turn};
+      }
+    }
+    constexpr double kMostTurn = 0.4;  // radians, between the robot and the path
+    const PlaceOnDrive nearest = nearest_on_drive(JoinedPoses(poses), start, passed);
+    const double most = farthest_from_path(this->free_space().map().frame());
+    if (nearest.distance > most || nearest.turn > kMostTurn) return std::nullopt;
+    return nearest;
   }
 
   void begin_search(const Limits& limits, SearchObserver* observer) override {

@@ -8,6 +8,7 @@
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/lattice/query_ends.hpp"
 #include "wend/planner/se2/hybrid_reasons.hpp"
+#include "wend/planner/se2/rest_of_drive.hpp"
 #include "wend/robot/near_map.hpp"
 #include "wend/robot/nearest_passable.hpp"
 
@@ -184,12 +185,32 @@ void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& 
     }
   }
   out.cost = cost_of(drive_, ground_->check(), steering_);
-  const auto poses = out.path.driven_poses();
+  name_moves(out);
+  out.goal_snapping_error =
+      snapping_error_between(query.goals[finder.goal()], out.path.driven_poses().back());
+}
+
+void HybridPlanner::name_moves(Plan& plan) const {
+  const auto poses = plan.path.driven_poses();
   const Frame& frame = free_space().map().frame();
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    out.moves.push_back(name_of(segment_between(poses[i - 1], poses[i]), frame));
+    plan.moves.push_back(name_of(segment_between(poses[i - 1], poses[i]), frame));
   }
-  out.goal_snapping_error = snapping_error_between(query.goals[finder.goal()], poses.back());
+}
+
+std::optional<Plan> HybridPlanner::do_rest_of(const Path& path, const Query& query,
+                                              std::size_t& passed) const {
+  if (!path.driven()) return std::nullopt;
+  const PlaceOnDrive place =
+      nearest_on_drive(JoinedPoses(path.driven_poses()), query.start, passed);
+  auto rest = rest_of_drive(path.driven_poses(), place, query.start, ground_->check(), steering_);
+  if (!rest) return std::nullopt;
+  passed = place.joint;
+  Plan plan;
+  plan.path = std::move(rest->path);
+  plan.cost = rest->cost;
+  name_moves(plan);
+  return plan;
 }
 
 double HybridPlanner::do_heuristic(const Pose& pose) const {

@@ -32,6 +32,8 @@ class HybridPlanner final : public Planner {
   std::uint64_t do_state_count() const override;
   std::optional<GridMoves> do_grid_moves() const override { return std::nullopt; }
   std::optional<Point> do_nearest_free(const Goal& goal) const override;
+  std::optional<Plan> do_rest_of(const Path& path, const Query& query,
+                                 std::size_t& passed) const override;
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(const SpaceChange& change) override;
   void do_release() override;
@@ -41,6 +43,7 @@ class HybridPlanner final : public Planner {
   std::optional<HybridGoal> place_for(const Goal& goal, const std::optional<Cell>& from = {}) const;
   std::optional<double> heading_at(Point point, const Goal& goal) const;
   void write(const Query& query, const HybridSearch& finder, Plan& out);
+  void name_moves(Plan& plan) const;
 
   HybridAStarOptions options_;
   Steering steering_;

@@ -74,6 +74,7 @@ class PlannerNode {
     const std::atomic<bool>* cancel = nullptr;
     SearchWatch* watch = nullptr;
     bool explain = true;
+    double keep = 0;  // as Ask::keep: for the robot's own path
   };
 
   Answer answer(const Map& map, const PlanRequest& request, const Manner& manner);

@@ -45,6 +45,7 @@ struct PluginOptions {
   bool nearest = false;
   bool smooth = true;
   bool replan = false;
+  double keep = 0;
   bool explain = true;
   double spacing = 0;
 
@@ -67,6 +68,10 @@ struct PluginOptions {
     field({"smooth", "smooth the paths of planners on cells"}, self.smooth);
     field({"replan", "keep what a search found for the next call, and repair it after changes"},
           self.replan);
+    field({"keep",
+           "with replan: the share by which another path must be cheaper than what is left of the "
+           "last one to be taken"},
+          self.keep, {0, 100});
     field({"explain",
            "log a detailed reason when there is no path; this may take longer than the search"},
           self.explain);
