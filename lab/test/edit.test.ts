@@ -44,6 +44,14 @@ describe('edits', () => {
     }
   });
 
+  test('that do not fit the map change nothing', async () => {
+    const engine = await newEngine();
+    const cells = Uint8Array.from({ length: 12 }, () => 1);
+    good(engine.load(cells, 4, 3, plainFrame));
+    expect('error' in engine.edit([2, 12], [0, 0])).toBe(true);
+    expect(engine.cells()).toEqual(cells);
+  });
+
   test('are followed by planners with an index', async () => {
     const engine = await newEngine();
     for (let seed = 1; seed <= 20; ++seed) {

@@ -88,11 +88,11 @@ std::string Lab::edit(std::span<const CellByte> changes) {
     edit.cells.push_back({{static_cast<int>(index % width), static_cast<int>(index / width)},
                           state_of(value),
                           cost_of(value)});
-    cells_[index] = value;
     changed.push_back(index);
   }
   const auto change = session_.edit(edit);
   if (!change) return error_text(change.error());
+  for (const auto& [index, byte] : changes) cells_[index] = static_cast<std::uint8_t>(byte);
   pyramid_.update(cells_, width_, height_, std::move(changed));
   find_fits(*change);
   forget_search();

@@ -7,7 +7,6 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/frame.hpp"
-#include "wend/robot/near_map.hpp"
 
 namespace wend {
 namespace {
@@ -17,8 +16,7 @@ bool is_finite(const Pose& pose) {
 }
 
 bool is_usable(const Pose& pose) {
-  return std::abs(pose.x) <= kFarthestPoint && std::abs(pose.y) <= kFarthestPoint &&
-         std::abs(pose.heading) <= kLargestHeading;
+  return is_exact(pose.point()) && std::abs(pose.heading) <= kLargestHeading;
 }
 
 /// Calls visit(pose) for each point until it returns false; waypoints and cells have the heading 0. How often it
@@ -87,18 +85,13 @@ std::optional<Error> fault_of(const Path& path) { return fault_in(path, nullptr)
 std::optional<Error> fault_of(const Path& path, const FreeSpace& space) {
   const Frame& frame = space.map().frame();
   if (auto fault = fault_in(path, &frame)) return fault;
-  const bool of_cells = !path.cells().empty();
-  const std::size_t good = count_while(path, [&](const Pose& pose) {
-    return of_cells ? cell_under(space, pose.point()).has_value() : near_map(space, pose);
-  });
+  const std::size_t good =
+      count_while(path, [&](const Pose& pose) { return near_map(space, pose); });
   if (good == path.size()) return std::nullopt;
-  const std::string size = std::to_string(space.width()) + " x " + std::to_string(space.height());
-  if (of_cells) {
-    return fault_at(path, good, "is not on the map, which has " + size + " cells", &frame);
-  }
   return fault_at(path, good,
                   "is too far off the map: at most " + format_number(kFarthestOffMap) +
-                      " cells off its " + size + " cells expected",
+                      " cells off its " + std::to_string(space.width()) + " x " +
+                      std::to_string(space.height()) + " cells expected",
                   &frame);
 }
 

@@ -8,25 +8,23 @@
 // Everything that computes with paths asks it first, and fails as it does: metrics, simplification, smoothers,
 // corner rounding, trajectories. first_collision() has a path with a fault leave the map.
 
+#include <cstddef>
 #include <optional>
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/robot/near_map.hpp"
 
 namespace wend {
-
-/// No point of a path lies farther from the grid's origin along an axis, in cells: there, numbers are exact to a
-/// four-millionth of a cell.
-inline constexpr double kFarthestPoint = 1 << 30;
 
 /// unsupported_query for an empty path, and for one with a number that is NaN or infinite, a point beyond
 /// kFarthestPoint or a heading beyond kLargestHeading; nothing for others. Error::where is the point, as "point 3",
 /// counted from 0. O(n).
 WEND_API std::optional<Error> fault_of(const Path& path);
 
-/// The same, and for a cell that is not on the map or a point that is not near_map(). In metres where the map is.
+/// The same, and for a point that is not near_map(). In metres where the map is.
 WEND_API std::optional<Error> fault_of(const Path& path, const FreeSpace& space);
 
 /// How many points of a path come before the first one with a fault, as fault_of(path) says it; all if it has none.

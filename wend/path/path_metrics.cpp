@@ -157,9 +157,13 @@ Expected<PathMetrics, Error> measure(const Path& path, const FreeSpace& space,
   if (auto fault = fault_of_length("corner_rounding", corner_rounding)) {
     return Unexpected<Error>(*std::move(fault));
   }
-  PathMetrics metrics =
-      path.visit([&](std::span<const Cell> cells) { return measure_cells(cells, path, space); },
-                 [&](const auto&) { return measure_arcs(path, space); });
+  const auto on_map = [&](Cell cell) { return space.contains(cell); };
+  PathMetrics metrics = path.visit(
+      [&](std::span<const Cell> cells) {
+        return std::ranges::all_of(cells, on_map) ? measure_cells(cells, path, space)
+                                                  : measure_arcs(path, space);
+      },
+      [&](const auto&) { return measure_arcs(path, space); });
   metrics.corner_rounding = corner_rounding;
   metrics.smallest_turning_radius = std::numeric_limits<double>::infinity();
   metrics.rounded_turning_radius = std::numeric_limits<double>::infinity();

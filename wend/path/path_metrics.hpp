@@ -78,8 +78,8 @@ struct PathMetrics {
   double mean_clearance = 0;  // cells
 };
 
-/// Measures a path whose cells are on the map; poses and waypoints may also be on its border or outside of it. It
-/// need not be passable: inside obstacles the clearance is 0. Fails as fault_of() does (path_fault.hpp), and with
+/// Measures a path. It may lead along the border of the map and off it (cells then count as their middles), and need
+/// not be passable: inside obstacles the clearance is 0. Fails as fault_of() does (path_fault.hpp), and with
 /// invalid_option for a window that is not finite or negative. O(cells) for steps to neighbouring cells; longer ones
 /// as way_clearance(), and each cell's length of an arc as arc_clearance().
 WEND_API Expected<PathMetrics, Error> measure(const Path& path, const FreeSpace& space,

@@ -78,13 +78,8 @@ Json json_of_smoothing(const RefinedPath& path) {
 
 MeasuredPath measured(std::string title, const Path& path, const FreeSpace& space,
                       double corner_rounding) {
-  const bool on_map =
-      std::ranges::all_of(path.cells(), [&space](Cell cell) { return space.contains(cell); });
   MeasuredPath measured{std::move(title), path.size(), {}};
-  // Waypoints may lie outside, cells may not.
-  if (auto metrics = measure(on_map ? path : Path::along(path.points()), space, corner_rounding)) {
-    measured.metrics = *metrics;
-  }
+  if (auto metrics = measure(path, space, corner_rounding)) measured.metrics = *metrics;
   return measured;
 }
 

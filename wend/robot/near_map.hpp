@@ -17,11 +17,20 @@
 
 namespace wend {
 
+/// No point lies farther from the grid's origin than this along an axis, in cells: there, numbers are exact to a
+/// four-millionth of a cell.
+inline constexpr double kFarthestPoint = 1 << 30;
+
 /// No farther off the map than this, in cells, robots are looked at.
 inline constexpr double kFarthestOffMap = 1000;
 
 /// No larger than this, either sign, are headings, in radians: up to it, sines are exact to 3e-16.
 inline constexpr double kLargestHeading = 1e6;
+
+/// Is the point no farther from the origin than kFarthestPoint? False for NaN and infinity. O(1).
+inline bool is_exact(Point point) {
+  return std::abs(point.x) <= kFarthestPoint && std::abs(point.y) <= kFarthestPoint;
+}
 
 /// Does the point lie on the map, or no farther off it than kFarthestOffMap along either axis? False for NaN and
 /// infinity. O(1).

@@ -200,7 +200,7 @@ void PointSweep::arrive(Point to) {
 }
 
 bool PointSweep::go_to(Point to) {
-  if (!near_ || !near_map(*space_, to)) return false;
+  if (!exact_ || !is_exact(to)) return false;
   const Line line{at_, to};
   if (!clearly_free(*space_, SweptPiece(line))) {
     const CutLine cut(*space_, line);
@@ -215,7 +215,7 @@ bool PointSweep::go_to(Point to) {
 }
 
 bool PointSweep::go_along(const Arc& arc) {
-  return near_ && near_map(*space_, arc) && go_along_pieces(arc);
+  return exact_ && near_map(*space_, arc) && go_along_pieces(arc);
 }
 
 bool PointSweep::go_along_pieces(const Arc& arc) {

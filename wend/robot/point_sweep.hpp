@@ -30,10 +30,10 @@ inline constexpr double kPointTolerance = 1e-9;  // cells
 
 class PointSweep {
  public:
-  /// Starts at a point in grid coordinates. The space must outlive the sweep. From a point that is not
-  /// near_map() no way is free, and none to such a point.
+  /// Starts at a point in grid coordinates. The space must outlive the sweep. No way is free from or to
+  /// a point that is not is_exact(), nor along an arc that is not near_map().
   PointSweep(const FreeSpace& space, Point start, Adjacency adjacency = Adjacency::edges)
-      : space_(&space), adjacency_(adjacency), at_(start), near_(near_map(space, start)) {}
+      : space_(&space), adjacency_(adjacency), at_(start), exact_(is_exact(start)) {}
 
   /// Moves along a line, or along an arc that begins at the current point. False if the way, including
   /// its first point, is not free; the sweep is then over. O(1) if the clearance of a cell shows that
@@ -49,7 +49,7 @@ class PointSweep {
   const FreeSpace* space_;  // never null
   Adjacency adjacency_;
   Point at_;
-  bool near_;                        // does it start near the map?
+  bool exact_;                       // does it start where numbers are?
   std::optional<Point> before_gap_;  // where the point came from, if it is in a gap
 };
 

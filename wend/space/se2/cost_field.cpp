@@ -102,8 +102,7 @@ void CostField::improve(int column, int row, std::size_t square, float value) {
   if (!(value < values_[square] * kWorthwhile)) return;
   if (values_[square] == kUnknown) touched_.push_back(static_cast<std::uint32_t>(square));
   values_[square] = value;
-  push({static_cast<std::uint32_t>(square), static_cast<std::uint16_t>(column),
-        static_cast<std::uint16_t>(row), value, key(column, row, value)});
+  push({static_cast<std::uint32_t>(square), column, row, value, key(column, row, value)});
 }
 
 std::size_t CostField::bucket_of(float key) const {

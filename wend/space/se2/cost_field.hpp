@@ -69,8 +69,8 @@ class CostField {
   /// A square that waits to be settled, as it was when it got its value.
   struct Waiting {
     std::uint32_t square;
-    std::uint16_t column;
-    std::uint16_t row;
+    std::int32_t column;
+    std::int32_t row;
     float value;
     float key;
   };
