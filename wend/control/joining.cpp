@@ -28,11 +28,10 @@ Candidate candidate_on(const Route& route, std::size_t leg, std::size_t piece,
   const double dy = (b.y - a.y) / length;
   const double along = std::clamp((pose.x - a.x) * dx + (pose.y - a.y) * dy, 0.0, length);
   const MapPoint point{a.x + along * dx, a.y + along * dy};
-  const auto [sine, cosine] = sine_and_cosine(pose.heading);
-  const double ahead = cosine * dx + sine * dy;
+  const auto [sine, cosine] = sine_and_cosine(shown_on(route.legs()[leg], pose).heading);
   return {.place = {leg, line.along()[piece] + along, distance(point, pose.point())},
           .point = point,
-          .leads = route.legs()[leg].reverse ? ahead <= 0 : ahead >= 0,
+          .leads = cosine * dx + sine * dy >= 0,
           .end = distance(b, pose.point()),
           .last = piece + 2 == line.points().size()};
 }
@@ -113,7 +112,7 @@ bool same_route(const Route& a, const Route& b) {
     return distance(p, q) <= Route::kSamePlace;
   };
   const auto same_leg = [&](const RouteLeg& p, const RouteLeg& q) {
-    return p.reverse == q.reverse && p.turn_first == q.turn_first &&
+    return p.reverse == q.reverse && p.turn_first == q.turn_first && p.course == q.course &&
            p.line.closed() == q.line.closed() &&
            std::ranges::equal(p.line.points(), q.line.points(), same_point);
   };

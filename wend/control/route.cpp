@@ -83,17 +83,28 @@ bool jumps_between(const Segment& before, const Segment& after) {
   return std::abs(normalized_angle(jump)) > kSmallJump;
 }
 
+bool is_aside(const Segment& segment) { return std::abs(segment.course) > kSmallJump; }
+
+/// Does a leg end between two segments that no turn in place separates?
+bool ends_between(const Segment& before, const Segment& after) {
+  const double changes = normalized_angle(after.course - before.course);
+  return before.length * after.length < 0 || jumps_between(before, after) ||
+         ((is_aside(before) || is_aside(after)) && std::abs(changes) > kSmallJump);
+}
+
 /// One leg for each stretch of segments in one direction, without turns in place but at its ends.
 std::vector<RouteLeg> legs_along(const JoinedPoses& joined, const Frame& frame) {
   std::vector<RouteLeg> legs;
   std::vector<Arc> arcs;          // of this leg
   std::optional<Segment> before;  // of this leg, the last
+  double course = 0;              // of this leg
   bool turn_first = false;
   bool turns = false;  // before the next segment
   const auto end_leg = [&] {
     if (arcs.empty()) return;
     const Polyline line = polyline_of(arcs);
-    legs.push_back({in_metres(line.points(), frame, false), before->length < 0, turn_first});
+    legs.push_back(
+        {in_metres(line.points(), frame, false), before->length < 0, turn_first, course});
     arcs.clear();
   };
   for (std::size_t i = 0; i < joined.segment_count(); ++i) {
@@ -102,12 +113,12 @@ std::vector<RouteLeg> legs_along(const JoinedPoses& joined, const Frame& frame) 
       turns = true;
       continue;
     }
-    const bool reverses = before && before->length * segment.length < 0;
-    turns = turns || (before && jumps_between(*before, segment));
-    if (turns || reverses) {
+    const bool aside = is_aside(segment) || (before && is_aside(*before));
+    if (turns || (before && ends_between(*before, segment))) {
       end_leg();
-      turn_first = turns;
+      turn_first = turns || (!aside && before && jumps_between(*before, segment));
     }
+    if (arcs.empty()) course = is_aside(segment) ? segment.course : 0;
     arcs.push_back(way_of_base(segment));
     before = segment;
     turns = false;
@@ -131,14 +142,24 @@ void join_end_to_start(std::vector<RouteLeg>& legs) {
 }
 
 /// How the robot stands there.
-MapPose facing(const RouteLeg& leg, double along) {
-  return turned_round(leg.line.at(along), leg.reverse);
-}
+MapPose facing(const RouteLeg& leg, double along) { return seen_on(leg, leg.line.at(along)); }
 
 }  // namespace
 
 MapPose turned_round(const MapPose& pose, bool reverse) {
   return reverse ? MapPose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
+}
+
+MapPose shown_on(const RouteLeg& leg, const MapPose& pose) {
+  const MapPose shown = turned_round(pose, leg.reverse);
+  if (leg.course == 0) return shown;
+  return {shown.x, shown.y, normalized_angle(shown.heading + leg.course)};
+}
+
+MapPose seen_on(const RouteLeg& leg, const MapPose& shown) {
+  if (leg.course == 0) return turned_round(shown, leg.reverse);
+  return turned_round({shown.x, shown.y, normalized_angle(shown.heading - leg.course)},
+                      leg.reverse);
 }
 
 std::optional<Pose> first_step_aside(const Path& path) {

@@ -25,10 +25,17 @@ struct RouteLeg {
   MapPolyline line;         // in the direction of travel
   bool reverse = false;     // the robot's back leads
   bool turn_first = false;  // the robot turns in place before it
+  double course =
+      0;  // rad, to the left of the leading end: of a leg that an omni robot drives to its side
 };
 
-/// Where a path first steps to a side of the robot, by more than 10 degrees, in grid coordinates: no robot
-/// on wheels that a follower drives can do that. O(n).
+/// A robot as the controller of a leg sees it: so that its heading is the direction of travel.
+WEND_API MapPose shown_on(const RouteLeg& leg, const MapPose& pose);
+/// The same back: the pose of a robot that is shown so.
+WEND_API MapPose seen_on(const RouteLeg& leg, const MapPose& shown);
+
+/// Where a path first steps to a side of the robot, by more than 10 degrees, in grid coordinates: only an omni robot
+/// can do that. O(n).
 WEND_API std::optional<Pose> first_step_aside(const Path& path);
 
 /// Where a path of poses first turns in place, at its ends too, or jumps from one direction of travel to another one,
