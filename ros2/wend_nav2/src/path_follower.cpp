@@ -50,8 +50,8 @@ std::optional<ControlFailure> why_no_command(const ControlMoment& moment, double
   if (most_age > 0 && !(moment.age <= most_age)) {
     return ControlFailure{
         ControlFailureKind::old_pose,
-        "the robot's pose is " + wend::format_number(moment.age) + " s old, at most " +
-            wend::format_number(most_age) +
+        "the robot's pose is " + wend::format_number(std::round(moment.age * 100) / 100) +
+            " s old, at most " + wend::format_number(most_age) +
             " s expected (pose_timeout): is its odometry or localization silent?"};
   }
   return std::nullopt;

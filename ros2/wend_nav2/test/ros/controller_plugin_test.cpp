@@ -119,6 +119,33 @@ TEST_F(ControllerPlugin, FailuresAreNav2sExceptions) {
   EXPECT_THROW(speed(*made, 0.5, 2), nav2_core::ControllerTFError);
 }
 
+TEST_F(ControllerPlugin, RefusesOrientationsThatAreNone) {
+  const auto made = controller();
+  auto path = line(0.5, 4.5, 2);
+  path.poses[20].pose.orientation = geometry_msgs::msg::Quaternion();
+  path.poses[20].pose.orientation.w = 0;
+  made->setPlan(path);
+  EXPECT_THROW(speed(*made, 0.5, 2), nav2_core::InvalidPath);
+  EXPECT_THROW(speed(*made, 0.5, 2), nav2_core::InvalidPath) << "there is none then";
+  made->setPlan(line(0.5, 4.5, 2));
+  EXPECT_GT(speed(*made, 0.5, 2), 0);
+}
+
+TEST_F(ControllerPlugin, AnOldPoseIsNoPose) {
+  const auto made = controller();
+  made->setPlan(line(0.5, 4.5, 2));
+  const auto speed_at_age = [&](double age) {
+    auto robot = pose(0.5, 2);
+    robot.header.stamp = node_->now() - rclcpp::Duration::from_seconds(age);
+    return made->computeVelocityCommands(robot, geometry_msgs::msg::Twist(), &any_heading_)
+        .twist.linear.x;
+  };
+  EXPECT_GT(speed_at_age(0), 0);
+  EXPECT_THROW(speed_at_age(30), nav2_core::ControllerTFError);
+  EXPECT_TRUE(node_->set_parameter({"wend.pose_timeout", 0.0}).successful);
+  EXPECT_GT(speed_at_age(30), 0);
+}
+
 TEST_F(ControllerPlugin, RefusesParametersThatDoNotFit) {
   const auto made = controller();
   EXPECT_FALSE(node_->set_parameter({"wend.speed", -1.0}).successful);

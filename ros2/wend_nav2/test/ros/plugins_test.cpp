@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <tf2_ros/buffer.h>
@@ -58,6 +59,26 @@ TEST_F(Plugins, FailuresAreNav2sExceptions) {
   EXPECT_THROW(plan(*made, elsewhere, left), nav2_core::PlannerTFError);
   node_->set_parameter({"wend.time_limit", 1e-9});
   EXPECT_THROW(plan(*made, left, pose(1.5, 2)), nav2_core::PlannerTimedOut);
+}
+
+TEST_F(Plugins, RefusesOrientationsThatAreNone) {
+  const auto made = planner();
+  const Pose left = pose(0.5, 2);
+  for (const auto& [x, z, w] : {std::tuple{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 1.0}}) {
+    Pose goal = pose(1.5, 2);
+    goal.pose.orientation.x = x;
+    goal.pose.orientation.z = z;
+    goal.pose.orientation.w = w;
+    EXPECT_THROW(plan(*made, left, goal), nav2_core::PlannerException);
+    EXPECT_THROW(plan(*made, goal, left), nav2_core::PlannerException);
+  }
+}
+
+TEST_F(Plugins, ACarNeedsATurningRadius) {
+  const auto made = planner({{"wend.planner", "hybrid_astar"}});
+  EXPECT_FALSE(node_->set_parameter({"wend.turning_radius", 0.0}).successful);
+  EXPECT_FALSE(node_->set_parameter({"wend.turning_radius", std::nan("")}).successful);
+  EXPECT_TRUE(node_->set_parameter({"wend.turning_radius", 0.5}).successful);
 }
 
 TEST_F(Plugins, SeesWhatTheCostmapHasNow) {
@@ -185,6 +206,17 @@ TEST_F(SmootherPlugin, RoundsACornerAndKeepsTheEnds) {
 
 TEST_F(SmootherPlugin, RefusesAPathThroughAnObstacle) {
   auto path = corner_path(2.05);
+  EXPECT_THROW(made_->smooth(path, rclcpp::Duration::from_seconds(5)), nav2_core::InvalidPath);
+}
+
+TEST_F(SmootherPlugin, RefusesWhatIsNotFiniteOrAbsurd) {
+  for (const double number : {std::nan(""), double{INFINITY}, 1e300, 1e10}) {
+    auto path = corner_path(0.55);
+    path.poses[7].pose.position.x = number;
+    EXPECT_THROW(made_->smooth(path, rclcpp::Duration::from_seconds(5)), nav2_core::InvalidPath);
+  }
+  auto path = corner_path(0.55);
+  path.poses[7].pose.orientation.w = 0;
   EXPECT_THROW(made_->smooth(path, rclcpp::Duration::from_seconds(5)), nav2_core::InvalidPath);
 }
 
