@@ -17,5 +17,5 @@ def rectangle(length: float, width: float, ahead: float = 0) -> list[tuple[float
     >>> rectangle(4, 2, 1)
     [(3.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (3.0, -1.0)]
     """
-    front, rear, side = ahead + length / 2, ahead - length / 2, width / 2
+    front, rear, side = round(ahead + length / 2, 12), round(ahead - length / 2, 12), width / 2
     return [(front, side), (rear, side), (rear, -side), (front, -side)]

@@ -195,6 +195,14 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
   return hull;
 }
 
+/// A sum of numbers of this size as one would write it: -0.2, not -0.19999999999999998.
+double without_noise(double sum, double size) {
+  constexpr double kNanometres = 1e9;
+  constexpr double kNoise = 4e-16;
+  const double rounded = std::round(sum * kNanometres) / kNanometres;
+  return std::abs(rounded - sum) <= kNoise * size ? rounded : sum;
+}
+
 }  // namespace
 
 Expected<Footprint, Error> Footprint::polygon(Polygon outline) {
@@ -218,8 +226,9 @@ Expected<Footprint, Error> Footprint::rectangle(double length, double width, dou
   if (!(length > 0 && length <= kLargest)) return wrong("length", length, 0);
   if (!(width > 0 && width <= kLargest)) return wrong("width", width, 0);
   if (!(std::abs(ahead) <= kLargest)) return wrong("distance ahead", ahead, -kLargest);
-  const double front = ahead + length / 2;
-  const double rear = ahead - length / 2;
+  const double size = std::abs(ahead) + length;
+  const double front = without_noise(ahead + length / 2, size);
+  const double rear = without_noise(ahead - length / 2, size);
   const double side = width / 2;
   auto outline = Polygon::make({{front, side}, {rear, side}, {rear, -side}, {front, -side}});
   if (!outline) return Unexpected<Error>(std::move(outline).error());

@@ -106,6 +106,7 @@ RC_GTEST_PROP(Footprint, CoversItsInnerDisc, ()) {
 TEST(Footprint, IsARectangleAroundItsCentreAhead) {
   EXPECT_EQ(*Footprint::rectangle(4.2, 1.8, 1.35),
             *parse_footprint("3.45,0.9; -0.75,0.9; -0.75,-0.9; 3.45,-0.9"));
+  EXPECT_EQ(text_of(*Footprint::rectangle(0.6, 0.4, 0.1)), "0.4,0.2;-0.2,0.2;-0.2,-0.2;0.4,-0.2");
   EXPECT_EQ(*Footprint::rectangle(2, 1), *parse_footprint("1,0.5;-1,0.5;-1,-0.5;1,-0.5"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(Footprint::rectangle(0, 1).error().message,
