@@ -16,10 +16,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/status.hpp"
+#include "wend/planner/leaving_motion.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
@@ -86,6 +88,16 @@ class WEND_API Planner {
   /// nearest_ends() finds places. O(places examined).
   std::optional<Point> nearest_free(const Goal& goal) const { return do_nearest_free(goal); }
 
+  /// The pose at which a path from this one begins, free or not: the middle of its cell, the nearest place of a
+  /// lattice, the pose itself. Nothing if it is not on the map. Grid coordinates.
+  std::optional<Pose> place_of(const Pose& pose) const { return do_place_of(pose); }
+
+  /// For a planner with headings: what its robot can drive from such a place, whether it fits there or not; motions
+  /// that may end anywhere are about `most` cells long. Empty for a planner on cells.
+  std::vector<LeavingMotion> motions_from(const Pose& place, double most) const {
+    return do_motions_from(place, most);
+  }
+
   /// Spacing of the car's lattice in cells; 0 for grid planners.
   int corner_unit() const { return do_corner_unit(); }
 
@@ -132,6 +144,10 @@ class WEND_API Planner {
   virtual std::uint64_t do_state_count() const { return free_space().passable().count(); }
   virtual std::optional<GridMoves> do_grid_moves() const { return GridMoves{}; }
   virtual std::optional<Point> do_nearest_free(const Goal& /*goal*/) const { return std::nullopt; }
+  virtual std::optional<Pose> do_place_of(const Pose& pose) const;
+  virtual std::vector<LeavingMotion> do_motions_from(const Pose& /*place*/, double /*most*/) const {
+    return {};
+  }
   virtual int do_corner_unit() const { return 0; }
   virtual std::unique_ptr<Planner> do_clone() const = 0;
   /// Why the planner cannot plan on the new free_space(), if it cannot.

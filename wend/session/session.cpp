@@ -8,6 +8,7 @@
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/incremental/incremental_options.hpp"
 #include "wend/planner/index_support.hpp"
+#include "wend/session/eased_query.hpp"
 #include "wend/session/nearest_ends.hpp"
 
 namespace wend {
@@ -19,12 +20,6 @@ Unexpected<RequestFailure> no_plan(PlanFailure failure, double seconds = 0) {
 
 Unexpected<RequestFailure> no_plan(Error error) {
   return no_plan(PlanFailure{std::move(error), {}});
-}
-
-Ends ends_of(const Query& query, const Units& units) {
-  Ends ends{units.place("start", query.start.point()), {}};
-  for (const Goal& goal : query.goals) ends.goals.push_back(units.place("goal", goal.point));
-  return ends;
 }
 
 bool steps_from_cell_to_cell(const PlannerSpec& spec) {
@@ -47,21 +42,6 @@ PlannerSpec resuming(const PlannerSpec& spec) {
         });
       });
   return replanner;
-}
-
-/// Moves blocked ends. Returns a sentence for each.
-std::vector<std::string> move_ends(Query& query, const Planner& planner, const Explainer& explainer,
-                                   const Units& units) {
-  if (!planner.grid_moves()) return explainer.move_to_nearest(query, planner);
-  Ends ends = ends_of(query, units);
-  const Ends before = ends;
-  auto notes = explainer.move_to_nearest(ends);
-  if (ends.start.cell != before.start.cell) query.start = pose_at(ends.start.cell);
-  for (std::size_t i = 0; i < ends.goals.size(); ++i) {
-    const Cell cell = ends.goals[i].cell;
-    if (cell != before.goals[i].cell) query.goals[i].point = centre_of(cell);
-  }
-  return notes;
 }
 
 }  // namespace
@@ -207,7 +187,10 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
                                                             const PlanRequest& request) {
   const Units units(view.space.map());
   const auto moves = planner.grid_moves();
-  const Explainer explainer(view.space, units, moves.value_or(GridMoves{}), options.hints);
+  const Leeway leeway = request.leeway();
+  if (auto fault = fault_of(leeway)) return no_plan(*std::move(fault));
+  Explainer explainer(view.space, units, moves.value_or(GridMoves{}), options.hints);
+  explainer.allow(leeway);
   Query query = query_of(request, view.space.map().frame());
   if (query.goals.empty())
     return no_plan(Error{Status::unsupported_query, "there is no goal", "goals"});
@@ -217,20 +200,32 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
                          "from_field"});
   }
   PlanAnswer answer{.space = view.space, .plan = {}, .moves = moves};
-  if (request.nearest) answer.notes = move_ends(query, planner, explainer, units);
-  const Ends ends = ends_of(query, units);
+  EasedQuery eased(std::move(query), planner, explainer, units, leeway);
   const double begin = now();
-  const Status status = request.from_field
-                            ? look_up(view, query, ends.start.cell, *moves, answer.plan)
-                            : planner.plan(query, answer.plan);
+  const auto search = [&] {
+    const Query& asked = eased.query();
+    return request.from_field
+               ? look_up(view, asked, ends_of(asked, units).start.cell, *moves, answer.plan)
+               : planner.plan(asked, answer.plan);
+  };
+  Status status = search();
+  if (eased.ease_goals(status)) status = search();
   answer.search_seconds = now() - begin;
   if (status != Status::found) {
     const SearchMetrics& metrics = answer.plan.metrics;
-    std::string why = request.explain ? explainer.explain(planner, query, ends, status, metrics)
-                                      : planner.reason(query, status);
+    std::string why = request.explain
+                          ? explainer.explain(planner, eased.query(), ends_of(eased.query(), units),
+                                              status, metrics)
+                          : planner.reason(eased.query(), status);
     return no_plan(PlanFailure{{status, std::move(why)}, metrics}, answer.search_seconds);
   }
-  finish_path(answer, request);
+  eased.finish(answer.plan);
+  answer.notes = eased.notes();
+  answer.lead_out = eased.lead_out();
+  if (const auto remaining = eased.remaining()) {
+    answer.remaining = *remaining * view.space.map().frame().resolution;
+  }
+  finish_path(answer, request, eased.lead());
   return answer;
 }
 

@@ -32,6 +32,8 @@ class HybridPlanner final : public Planner {
   std::uint64_t do_state_count() const override;
   std::optional<GridMoves> do_grid_moves() const override { return std::nullopt; }
   std::optional<Point> do_nearest_free(const Goal& goal) const override;
+  std::optional<Pose> do_place_of(const Pose& pose) const override;
+  std::vector<LeavingMotion> do_motions_from(const Pose& place, double most) const override;
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(const SpaceChange& change) override;
   void do_release() override;
