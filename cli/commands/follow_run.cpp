@@ -69,7 +69,9 @@ bool FollowRun::find_path() {
         "with motion primitives that only lead ahead, back or around",
         coordinates_.text(aside->point())));
   }
-  path_ = refine(*path, planning_space_, refinement_, arguments_.refine.rounding(coordinates_));
+  const double rounding = arguments_.refine.rounding(coordinates_);
+  path_ = refine(*path, planning_space_, refinement_, rounding);
+  if (!lead_.empty()) path_ = with_lead(lead_, std::move(path_), planning_space_, rounding);
   return true;
 }
 
@@ -83,22 +85,34 @@ Path FollowRun::loaded() const {
   }
 }
 
+Leeway FollowRun::leeway() const {
+  Leeway leeway = arguments_.leeway.leeway(coordinates_);
+  leeway.escape = simulation_.escape;
+  return leeway;
+}
+
 std::optional<Path> FollowRun::plan() {
   const auto asked = typed_query(planner_, planning_space_, coordinates_, arguments_.ends);
   auto planner = info_of(planner_).make(planning_space_, planner_.options);
   if (!planner) throw InputError(planner.error().message);
   const GridMoves moves = (*planner)->grid_moves().value_or(GridMoves{});
   refinement_.adjacency = moves.adjacency();
-  const Explainer explainer = explainer_for(planning_space_, coordinates_, moves);
-  if (arguments_.nearest) {
-    for (const auto& note : asked->move_to_nearest(explainer, **planner)) complain(note);
-  }
+  Explainer explainer = explainer_for(planning_space_, coordinates_, moves);
+  explainer.allow(leeway());
+  EasedQuery eased(asked->query(), **planner, explainer, coordinates_, leeway());
+  asked->move_ends(eased);
   ProgressBar progress("planning", (*planner)->state_count());
-  Query query = asked->query();
-  query.limits = arguments_.limits.limits(progress);
+  const Query& query = eased.query();
+  eased.query().limits = arguments_.limits.limits(progress);
   Plan plan;
-  const Status status = (*planner)->plan(query, plan);
-  if (status == Status::found) return std::move(plan.path);
+  Status status = (*planner)->plan(query, plan);
+  if (eased.ease_goals(status)) status = (*planner)->plan(query, plan);
+  if (status == Status::found) eased.finish(plan);
+  for (const std::string& note : eased.notes()) complain(note);
+  if (status == Status::found) {
+    lead_ = eased.lead();
+    return std::move(plan.path);
+  }
   const std::string margin =
       coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells());
   const FailedPlan failed{

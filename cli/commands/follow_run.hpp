@@ -8,6 +8,7 @@
 
 #include "cli/arguments/drive_arguments.hpp"
 #include "cli/arguments/flags.hpp"
+#include "cli/arguments/leeway_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/refine_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
@@ -26,7 +27,7 @@ struct FollowArguments {
   MapArguments map;
   EndArguments ends;  // empty where a path is read
   std::string planner = "astar";
-  bool nearest = false;
+  LeewayArguments leeway;  // without --escape, which is an option of the simulation
   std::string path;
   bool loop = false;
   std::optional<double> margin;  // in the user's units
@@ -58,6 +59,7 @@ class FollowRun {
 
  private:
   std::optional<Path> plan();
+  Leeway leeway() const;
   SampledTrajectory timed_path() const;
   Drive tracked(const TrackingGains& gains) const;
   Path loaded() const;
@@ -78,6 +80,7 @@ class FollowRun {
   SimulationOptions simulation_;
   FollowerOptions following_;
   std::vector<ChosenController> controllers_;
+  Path lead_;  // the way out that the path begins with, if it does
   RefinedPath path_;
   std::vector<ControlledDrive> drives_;
 };

@@ -7,6 +7,7 @@
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/trigonometry.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/robot/fits_along.hpp"
 
 namespace wend {
@@ -23,12 +24,17 @@ Arc to_grid(const MapArc& arc, const Frame& frame) {
 /// Moves a disc along arcs and counts how often it runs into obstacles.
 class CollisionCounter {
  public:
-  explicit CollisionCounter(const FreeSpace& space) : space_(space) {}
+  /// A robot that does not fit at `start` may drive `escape` metres as long as it does not go deeper.
+  CollisionCounter(const FreeSpace& space, const Pose& start, double escape)
+      : space_(space), escape_(escape) {
+    if (escape > 0 && !space.fits(start)) leaving_.emplace(space, start, kLeavingRounding);
+  }
 
   /// Sweeps an arc: how much of it is free, if it runs into something there; nothing if it
   /// does not, or has already.
   std::optional<double> sweep(const MapArc& arc) {
     const Arc in_grid = to_grid(arc, space_.map().frame());
+    if (leaving_ && leaves(in_grid)) return std::nullopt;
     const bool was_free = free_;
     free_ = fits_along(space_, in_grid);
     if (free_ || !was_free) return std::nullopt;
@@ -41,6 +47,18 @@ class CollisionCounter {
   std::optional<Point> first() const { return first_; }
 
  private:
+  // Cells: a robot does not keep exactly to its path.
+  static constexpr double kLeavingRounding = 0.02;
+
+  /// Is the arc one of the way out?
+  bool leaves(const Arc& arc) {
+    escape_ -= std::abs(arc.length) * space_.map().frame().resolution;
+    const bool goes_on = escape_ >= -kLeavingRounding * space_.map().frame().resolution &&
+                         leaving_->go_along({arc.from, arc.length, arc.turn(), 0});
+    if (!goes_on || !leaving_->overlaps()) leaving_.reset();
+    return goes_on;
+  }
+
   /// By bisection: free, or 0.
   double free_share(const Arc& arc) const {
     constexpr int kHalvings = 30;
@@ -55,6 +73,8 @@ class CollisionCounter {
   }
 
   const FreeSpace& space_;
+  double escape_;                      // metres that are left for the way out
+  std::optional<DepthWatch> leaving_;  // until the robot fits
   bool free_ = true;
   std::uint64_t count_ = 0;
   std::optional<Point> first_;
@@ -103,7 +123,7 @@ class Simulation {
         period_(1 / options.rate),
         follower_(controller, model.limits, adapted(follower, model)),
         heading_window_(follower.heading_window),
-        collisions_(space),
+        collisions_(space, frame_.to_grid(route_.start()), options.escape),
         random_(static_cast<std::uint64_t>(options.seed)),
         delay_(options.latency, period_) {
     robot_.pose = route_.start();
