@@ -28,6 +28,7 @@ struct Ask {
   double time_limit = 0;  // s; 0: the parameter's
   bool from_field = false;
   bool nearest = false;  // moves blocked ends to the nearest free cells
+  bool closest = false;  // ends at the reachable place nearest to a goal that no path reaches
   bool explain = true;   // why there is no path, at length, which may take longer than the search
 };
 
