@@ -107,6 +107,25 @@ static void check_plan(wend_session* session, const wend_request* request) {
   wend_plan_free(plan);
 }
 
+static void check_ends(wend_session* session, const wend_request* request) {
+  wend_plan* plan = NULL;
+  wend_request eased = *request;
+  const wend_pose outside = {2.25, -0.6, NAN};
+  eased.goals = &outside;
+  CHECK(wend_session_plan(session, &eased, &plan, NULL) == WEND_GOAL_OUTSIDE);
+  eased.closest = 1;
+  eased.escape = 0.25;
+  CHECK(wend_session_plan(session, &eased, &plan, NULL) == WEND_OK);
+  CHECK(fabs(wend_plan_remaining(plan) - 0.85) < 1e-9);
+  CHECK(wend_plan_lead_out_length(plan) == 0 && wend_plan_lead_out_pose_count(plan) == 0);
+  CHECK(wend_plan_lead_out_reason(plan)[0] == '\0');
+  wend_plan_free(plan);
+  eased.nearest = 1;
+  eased.nearest_limit = 0.1;
+  eased.closest = 0;
+  CHECK(wend_session_plan(session, &eased, &plan, NULL) == WEND_GOAL_OUTSIDE);
+}
+
 static void take_solution(const wend_plan* plan, void* context) {
   double* last = (double*)context;
   CHECK(wend_plan_cost(plan) <= *last && wend_plan_bound(plan) >= 1);
@@ -165,6 +184,7 @@ static void check_session(void) {
   request.goal_count = 1;
   check_poses(session);
   check_plan(session, &request);
+  check_ends(session, &request);
   check_solutions(session, &request);
   check_field(session, &request);
   wend_session_free(session);

@@ -212,6 +212,9 @@ TEST_F(Arguments, ThatChangeNothingAreRefused) {
            Case{follow + "--compare --controller pid", "--controller changes nothing"},
            Case{follow + "--margin 1", "--margin changes nothing"},
            Case{follow + "--nearest", "--nearest changes nothing"},
+           Case{follow + "--closest", "--closest changes nothing"},
+           Case{"plan grid.txt --start 1,1 --goal 9,7 --nearest-limit 1",
+                "--nearest-limit changes nothing"},
            Case{follow + "--clearance-distance 1", "--clearance-distance changes nothing"},
        }) {
     const Outcome outcome = in_folder(idle.command);

@@ -9,8 +9,13 @@
 #include "tests/snippets.hpp"
 #include "wend/explore/explorer.hpp"
 #include "wend/io/map/load_map.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/planner/planner_options.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/robot/overlap.hpp"
+#include "wend/session/eased_query.hpp"
 #include "wend/session/session.hpp"
+#include "wend/session/way_out.hpp"
 
 namespace {
 
@@ -79,6 +84,54 @@ TEST(Snippets, OfExplanations) {
     report(explainer.explain(status, {start, {goal}}, query.limits, metrics));
   }
   EXPECT_TRUE(reported.starts_with("the goal (-5,1) is outside the map")) << reported;
+}
+
+/// A wall at the left edge, which a robot touches.
+wend::FreeSpace beside_wall() {
+  wend::Grid<wend::CellState> cells(20, 9, wend::CellState::free);
+  for (int y = 0; y < 9; ++y) cells[{0, y}] = wend::CellState::occupied;
+  return *wend::make_free_space(*wend::make_grid_map(cells),
+                                {.footprint = wend::Footprint::disc(1.3)});
+}
+
+TEST(Snippets, OfOverlapsAndLeads) {
+  const wend::FreeSpace space = beside_wall();
+  const double resolution = space.map().frame().resolution;
+  const wend::Pose here{2.1, 4.5, 0};
+  const wend::Pose there{1.9, 4.5, 0};
+  const wend::OverlapMeasure measure(space);
+  const bool deeper = measure.at(there).exceeds(measure.at(here));
+  EXPECT_TRUE(deeper);
+  const wend::Path path = wend::Path::along({{2.1, 4.5}, {9.5, 4.5}});
+  reported.clear();
+  const auto checked = wend::check_with_lead(path, space, 0.25 / resolution);
+  if (checked.collision) report(wend::describe(checked.collision->kind));
+  EXPECT_EQ(reported, "");
+}
+
+TEST(Snippets, OfWaysOut) {
+  const wend::FreeSpace space = beside_wall();
+  const double resolution = space.map().frame().resolution / 8;
+  const auto made = *wend::make_planner("astar", space, {});
+  wend::Planner& planner = *made;
+  wend::Query query = wend::Query::between({1, 4}, {30, 4});
+  {
+    const auto way = wend::way_out(planner, query.start, 0.25 / resolution);
+    if (way) query.start = way->path.poses().back();
+    EXPECT_EQ(query.start.point(), (wend::Point{2.5, 4.5}));
+  }
+  query = wend::Query::between({1, 4}, {30, 4});
+  const wend::Leeway leeway{.escape = 2, .closest = true};
+  wend::Explainer explainer(space, wend::Units(space.map()), {}, {});
+  explainer.allow(leeway);
+  wend::Plan plan;
+  wend::EasedQuery eased(query, planner, explainer, wend::Units(space.map()), leeway);
+  wend::Status status = planner.plan(eased.query(), plan);
+  if (eased.ease_goals(status)) status = planner.plan(eased.query(), plan);
+  if (status == wend::Status::found) eased.finish(plan);
+  ASSERT_TRUE(eased.lead_out());
+  EXPECT_EQ(eased.lead_out()->length, 1);
+  EXPECT_EQ(eased.remaining(), 11);
 }
 
 TEST(Snippets, OfReplanning) {

@@ -333,6 +333,15 @@ typedef struct wend_request {
   void* context;                       // what it receives besides; default null
   double keep;  // >= 0: the share by which another path must be cheaper than the rest of the last
                 // one for wend_session_replan() to take it; default 0
+  double
+      escape;  // metres, >= 0: the longest way out of a start where the robot does not fit, along which it
+               // never overlaps more of what blocks it; the path begins with it. Default 0: none
+  int32_t
+      closest;  // 1: if no path reaches a goal, ends at the reachable place nearest to one; default 0
+  int32_t
+      nearest;  // 1: moves blocked ends, and goals that no path reaches, to the nearest place; default 0
+  double
+      nearest_limit;  // metres, >= 0: how far at most; default NaN: 1, on a map without a resolution any distance
 } wend_request;
 
 /// Sets the defaults. `struct_size` is sizeof(wend_request). Start and goals have none.
@@ -370,6 +379,16 @@ WEND_C_API int32_t wend_plan_kept(const wend_plan* plan);
 WEND_C_API uint64_t wend_plan_expanded(const wend_plan* plan);
 /// The states that the search reached; 0 for null.
 WEND_C_API uint64_t wend_plan_generated(const wend_plan* plan);
+
+/// The length in metres of the way out that the path begins with (wend_request.escape); 0 without one, NaN for null.
+WEND_C_API double wend_plan_lead_out_length(const wend_plan* plan);
+/// How many poses of that way come before the first one where the robot fits; 0 without one, and for null.
+WEND_C_API size_t wend_plan_lead_out_pose_count(const wend_plan* plan);
+/// Why the robot does not fit at the start; "" without a way out. Valid until the plan is freed; null for null.
+WEND_C_API const char* wend_plan_lead_out_reason(const wend_plan* plan);
+/// The distance in metres from the path's end to the nearest goal that was asked for: 0 if a goal was reached. NaN if
+/// neither wend_request.closest was set nor a goal was moved because no path reaches it, and for null.
+WEND_C_API double wend_plan_remaining(const wend_plan* plan);
 
 /// Frees a plan.
 WEND_C_API void wend_plan_free(wend_plan* plan);

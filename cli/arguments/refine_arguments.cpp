@@ -160,6 +160,13 @@ RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& r
   return refined_path(path, refinement, *std::move(refined), space, corner_rounding);
 }
 
+RefinedPath with_lead(const Path& lead, RefinedPath path, const FreeSpace& space,
+                      double corner_rounding) {
+  path.refined.path = joined(lead, path.refined.path);
+  return refined_path(joined(lead, path.before), path.wanted, std::move(path.refined), space,
+                      corner_rounding);
+}
+
 std::vector<SceneLine> lines_of(const RefinedPath& path) {
   const auto points_of = [](const Path& each) {
     const auto points = polyline_of(each);

@@ -63,6 +63,10 @@ SmootherChoice parse_smoother(std::string_view text);
 RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
                    double corner_rounding);
 
+/// The same with a way out before both paths.
+RefinedPath with_lead(const Path& lead, RefinedPath path, const FreeSpace& space,
+                      double corner_rounding);
+
 /// What is drawn: the path before and after.
 std::vector<SceneLine> lines_of(const RefinedPath& path);
 

@@ -9,6 +9,7 @@
 
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
+#include "cli/arguments/leeway_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/refine_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
@@ -18,6 +19,7 @@
 #include "cli/output/picture.hpp"
 #include "cli/output/plan_text.hpp"
 #include "wend/analysis/cost_to_go.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/report/path_report.hpp"
 
@@ -29,6 +31,7 @@ struct CheckArguments {
   std::string path;
   GridMoves moves;
   std::optional<double> corner_rounding;  // in the user's units
+  LeewayArguments leeway;
   Format format = Format::text;
   PictureArguments pictures;
   OutputFiles output;
@@ -66,9 +69,14 @@ Scene scene_of(const FreeSpace& space, const Path& path,
 }
 
 std::string text_of(const CheckArguments& arguments, const Scene& scene, const MeasuredPath& path,
-                    bool is_free) {
+                    const LedPath& led) {
   const Coordinates coordinates = arguments.map.coordinates(scene.space.map());
+  const bool is_free = !led.collision;
   std::string text;
+  if (led.lead > 0) {
+    text = fmt::format("lead out: for {} the robot leaves what it overlaps at the start\n",
+                       coordinates.length(led.lead));
+  }
   if (is_free && scene.space.outline()) {
     text += "free: the robot's footprint is clear of every obstacle along the path\n";
   } else if (is_free) {
@@ -89,14 +97,21 @@ int run(const CheckArguments& arguments) {
   arguments.output.check_not_among({arguments.path});
   const FreeSpace space = arguments.map.free_space(loaded.map);
   const Path path = load_path_for(space, arguments.path, PathStage::smoothed);
-  const auto collision = first_collision(path, space, arguments.moves.adjacency());
+  const Coordinates coordinates = arguments.map.coordinates(loaded.map);
+  const double escape = arguments.leeway.leeway(coordinates).escape_in_cells(loaded.map.frame());
+  const LedPath led = check_with_lead(path, space, escape, arguments.moves.adjacency());
+  if (!led.ends_free && !led.collision) {
+    complain("the path is not free: it ends where the robot does not fit");
+    return no_plan;
+  }
+  const auto& collision = led.collision;
   const MeasuredPath measures = measured(
       "path", path, space,
       corner_rounding_in_cells(arguments.corner_rounding, arguments.map.coordinates(loaded.map)));
   const Path shown = measures.metrics ? path : until_exit(path, space);
   const Scene scene = scene_of(space, shown, collision);
-  const std::string json = check_json(measures, collision, loaded.map.frame());
-  print(arguments.format == Format::json ? json : text_of(arguments, scene, measures, !collision));
+  const std::string json = check_json(measures, collision, loaded.map.frame(), led.lead);
+  print(arguments.format == Format::json ? json : text_of(arguments, scene, measures, led));
   auto writers = picture_writers({{{}, scene}}, arguments.pictures.style);
   writers[".json"] = [&](const std::string& file) { return write_bytes(file, json); };
   arguments.output.write(writers);
@@ -112,6 +127,7 @@ Command add_check(Parser& app) {
   const auto arguments = std::make_shared<CheckArguments>();
   arguments->map.add_to(check);
   add_path_file(check, arguments->path);
+  arguments->leeway.add_escape_to(check);
   add_corner_rule(check, arguments->moves.corner_rule);
   add_corner_rounding(check, arguments->corner_rounding);
   add_format(check, arguments->format);

@@ -77,6 +77,7 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
     refuse_idle(follow, {"--samples"}, "add --format json; -o FILE.json always has the samples");
   }
   arguments.trajectory.check(follow, output);
+  arguments.leeway.check(follow);
   if (!output.any(".gif")) refuse_idle(follow, {"--film-speed"}, "it needs -o FILE.gif");
   if (arguments.drive.compares()) {
     refuse_idle(follow, {"--controller"}, "--compare names the controllers");
@@ -91,8 +92,8 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   }
   if (arguments.path.empty()) return;
   refuse_idle(follow,
-              {"--nearest", "--limit-expansions", "--limit-time", "--clearance-distance",
-               "--clearance-cost"},
+              {"--nearest", "--nearest-limit", "--closest", "--limit-expansions", "--limit-time",
+               "--clearance-distance", "--clearance-cost"},
               "with --path no path is planned");
   if (!arguments.refine.any()) {
     refuse_idle(follow, {"--margin", "--planner"}, "the path of --path is followed unchanged");
@@ -139,10 +140,7 @@ void add_path(Parser& app, FollowArguments& arguments) {
   add_texts(app, "--goal", arguments.ends.goals,
             "Goal; if given several times, the goal with the lowest path cost")
       .type_name("X,Y[,HEADING]");
-  app.add_flag("--nearest", arguments.nearest,
-               wrapped("If the start or a goal is blocked, margin included, use the nearest free "
-                       "cell that is connected to the other end; for planners with headings, the "
-                       "nearest free pose with that heading"));
+  arguments.leeway.add_ends_to(app);
   app.add_option("--planner", arguments.planner,
                  wrapped("Planner (default astar); options may follow, as in astar:weight=2"))
       .type_name(kPlannerType);

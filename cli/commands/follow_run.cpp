@@ -94,7 +94,9 @@ bool FollowRun::find_path() {
   std::optional<Path> path = arguments_.path.empty() ? plan() : loaded();
   if (!path) return false;
   check_drivable(*path);
-  path_ = refine(*path, planning_space_, refinement_, arguments_.refine.rounding(coordinates_));
+  const double rounding = arguments_.refine.rounding(coordinates_);
+  path_ = refine(*path, planning_space_, refinement_, rounding);
+  if (!lead_.empty()) path_ = with_lead(lead_, std::move(path_), planning_space_, rounding);
   controllers_ = arguments_.drive.controllers(robot_, path_.refined.path);
   return true;
 }
@@ -135,22 +137,34 @@ Path FollowRun::loaded() const {
   }
 }
 
+Leeway FollowRun::leeway() const {
+  Leeway leeway = arguments_.leeway.leeway(coordinates_);
+  leeway.escape = simulation_.escape;
+  return leeway;
+}
+
 std::optional<Path> FollowRun::plan() {
   const auto asked = typed_query(planner_, planning_space_, coordinates_, arguments_.ends);
   auto planner = info_of(planner_).make(planning_space_, planner_.options);
   if (!planner) throw InputError(planner.error().message);
   const GridMoves moves = (*planner)->grid_moves().value_or(GridMoves{});
   refinement_.adjacency = moves.adjacency();
-  const Explainer explainer = explainer_for(planning_space_, coordinates_, moves);
-  if (arguments_.nearest) {
-    for (const auto& note : asked->move_to_nearest(explainer, **planner)) complain(note);
-  }
+  Explainer explainer = explainer_for(planning_space_, coordinates_, moves);
+  explainer.allow(leeway());
+  EasedQuery eased(asked->query(), **planner, explainer, coordinates_, leeway());
+  asked->move_ends(eased);
   ProgressBar progress("planning", (*planner)->state_count());
-  Query query = asked->query();
-  query.limits = arguments_.limits.limits(progress);
+  const Query& query = eased.query();
+  eased.query().limits = arguments_.limits.limits(progress);
   Plan plan;
-  const Status status = (*planner)->plan(query, plan);
-  if (status == Status::found) return std::move(plan.path);
+  Status status = (*planner)->plan(query, plan);
+  if (eased.ease_goals(status)) status = (*planner)->plan(query, plan);
+  if (status == Status::found) eased.finish(plan);
+  for (const std::string& note : eased.notes()) complain(note);
+  if (status == Status::found) {
+    lead_ = eased.lead();
+    return std::move(plan.path);
+  }
   const std::string margin =
       coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells());
   const FailedPlan failed{

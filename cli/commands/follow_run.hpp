@@ -8,6 +8,7 @@
 
 #include "cli/arguments/drive_arguments.hpp"
 #include "cli/arguments/flags.hpp"
+#include "cli/arguments/leeway_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/option_flags.hpp"
 #include "cli/arguments/refine_arguments.hpp"
@@ -28,7 +29,7 @@ struct FollowArguments {
   EndArguments ends;  // empty where a path is read
   std::string planner = "astar";
   OptionFlags options{"planner"};
-  bool nearest = false;
+  LeewayArguments leeway;  // without --escape, which is an option of the simulation
   std::string path;
   bool loop = false;
   std::optional<double> margin;  // in the user's units
@@ -65,6 +66,7 @@ class FollowRun {
   PlannerSpec steered() const;
   std::optional<Path> plan();
   void check_drivable(const Path& path) const;
+  Leeway leeway() const;
   SampledTrajectory timed_path() const;
   Drive tracked(const TrackingGains& gains) const;
   Path loaded() const;
@@ -85,6 +87,7 @@ class FollowRun {
   SimulationOptions simulation_;
   FollowerOptions following_;
   std::vector<ChosenController> controllers_;
+  Path lead_;  // the way out that the path begins with, if it does
   RefinedPath path_;
   std::vector<ControlledDrive> drives_;
 };

@@ -109,6 +109,7 @@ bool is_csv_alone(const PlanArguments& arguments) {
 
 /// Throws InputError for flags that were given and change nothing.
 void check_idle(const Parser& plan, const PlanArguments& arguments) {
+  arguments.leeway.check(plan);
   const OutputFiles& output = arguments.output;
   if (!arguments.queries.empty()) {
     refuse_idle(plan,
@@ -221,10 +222,8 @@ Command add_plan(Parser& app) {
   add_count(
       plan, "--threads", arguments->threads,
       "Number of threads that answer --queries, each with its own planner (default: all cores)");
-  plan.add_flag("--nearest", arguments->nearest,
-                wrapped("If the start or a goal is blocked, use the nearest free cell that is "
-                        "connected to the other end; for planners with headings, the nearest "
-                        "free pose with that heading"));
+  arguments->leeway.add_ends_to(plan);
+  arguments->leeway.add_escape_to(plan);
   plan.add_option("--planner", arguments->planner,
                   wrapped("Planner (default astar); `wend planners` lists all. Options may follow, "
                           "as in astar:weight=2"))

@@ -34,7 +34,10 @@ class QueryWorker {
         coordinates_(arguments.map.coordinates(space_.map())),
         planner_(std::move(planner)),
         explainer_(
-            explainer_for(space_, coordinates_, planner_->grid_moves().value_or(GridMoves{}))) {}
+            explainer_for(space_, coordinates_, planner_->grid_moves().value_or(GridMoves{}))),
+        leeway_(arguments.leeway.leeway(coordinates_)) {
+    explainer_.allow(leeway_);
+  }
 
   /// Does not throw: the answer to an invalid row says so.
   QueryAnswer answer(const QueryRow& row) {
@@ -69,22 +72,33 @@ class QueryWorker {
   void ask(QueryAnswer& answer) {
     const auto asked = typed_query(spec_, space_, coordinates_,
                                    {answer.start, {answer.goal}, arguments_.ends.tolerance});
-    if (arguments_.nearest)
-      answer.reason =
-          fmt::format("{}", fmt::join(asked->move_to_nearest(explainer_, *planner_), "; "));
-    Query query = asked->query();
+    EasedQuery eased(asked->query(), *planner_, explainer_, coordinates_, leeway_);
+    asked->move_ends(eased);
+    Query& query = eased.query();
     query.limits.expansions = arguments_.limits.expansions;
     if (arguments_.limits.seconds) query.limits.seconds = *arguments_.limits.seconds;
     query.limits.cancel = &Interruptible::cancelled();
-    const Status status = timed(thread_cpu_seconds, answer.seconds,
-                                [&] { return planner_->plan(query, answer.plan); });
+    const Status status = timed(thread_cpu_seconds, answer.seconds, [&] {
+      const Status first = planner_->plan(query, answer.plan);
+      return eased.ease_goals(first) ? planner_->plan(query, answer.plan) : first;
+    });
     answer.status = to_string(status);
-    if (status == Status::found) return;
+    if (status == Status::found) return finish(eased, answer);
     // Finding the reason takes an extra search: worth it for one query, not for each of thousands.
     fail(answer, status,
          status == Status::unreachable
              ? fmt::format("{}; `wend explain` shows the reason", describe(status))
              : explainer_.explain(*planner_, query, asked->ends(), status, answer.plan.metrics));
+  }
+
+  void finish(EasedQuery& eased, QueryAnswer& answer) const {
+    eased.finish(answer.plan);
+    begin_with(eased.lead(), answer.plan, space_.map().frame());
+    answer.reason = fmt::format("{}", fmt::join(eased.notes(), "; "));
+    answer.lead_out = eased.lead_out();
+    if (const auto remaining = eased.remaining()) {
+      answer.remaining = *remaining * space_.map().frame().resolution;
+    }
   }
 
   const PlanArguments& arguments_;
@@ -93,6 +107,7 @@ class QueryWorker {
   Coordinates coordinates_;
   WarmPlanner planner_;
   Explainer explainer_;
+  Leeway leeway_;
 };
 
 /// They share what their planners prepare.

@@ -86,16 +86,6 @@ void PlanRun::plan() {
     throw InputError(
         "--plot changes nothing without --initial-weight above 1: the planner finds one path");
   }
-  const auto coordinates = arguments_.map.coordinates(space_.map());
-  const Explainer explainer = explainer_for(space_, coordinates, moves_);
-  if (arguments_.nearest) {
-    result_.notes = asked_->move_to_nearest(explainer, **planner_);
-    for (const std::string& note : result_.notes) complain(note);
-  }
-  result_.planned_as_disc = explainer.planned_as_disc(**planner_);
-  if (!result_.planned_as_disc.empty()) {
-    result_.notes.push_back("the robot is " + result_.planned_as_disc);
-  }
   search();
 }
 
@@ -109,8 +99,13 @@ Expected<WarmPlanner, Error> PlanRun::make_planner() {
 
 void PlanRun::search() {
   ProgressBar progress("planning", result_.states);
-  Query query = asked_->query();
-  query.limits = arguments_.limits.limits(progress);
+  const Coordinates coordinates = arguments_.map.coordinates(space_.map());
+  const Leeway leeway = arguments_.leeway.leeway(coordinates);
+  Explainer explainer = explainer_for(space_, coordinates, moves_);
+  explainer.allow(leeway);
+  EasedQuery eased(asked_->query(), **planner_, explainer, coordinates, leeway);
+  asked_->move_ends(eased);
+  eased.query().limits = arguments_.limits.limits(progress);
   ObserverList told;
   Narrator narrator(space_.map().frame());
   if (arguments_.watch.verbose) told.add(narrator);
@@ -121,23 +116,60 @@ void PlanRun::search() {
         trace.emplace(asked_->trace(arguments_.watch.trace_form(), arguments_.watch.trace_limit)));
   }
   if (steps() && recorder_) {
-    result_.status = search_in_steps(query, *recorder_, told);
+    result_.status = search_in_steps(eased.query(), *recorder_, told);
+    if (eased.ease_goals(result_.status)) search_to_the_end(eased.query());
   } else {
-    search_to_the_end(query);
+    search_to_the_end(eased.query());
+    if (eased.ease_goals(result_.status)) search_to_the_end(eased.query());
     if (recorder_) told.add(*recorder_);
     const bool cancelled = result_.status == Status::cancelled;
-    if (!told.empty() && !cancelled) search_for(told, query);
+    if (!told.empty() && !cancelled) search_for(told, eased.query());
   }
+  if (result_.status == Status::found) eased.finish(result_.plan);
+  note_what_was_eased(eased, explainer);
   if (result_.status != Status::found) {
-    const Explainer explainer =
-        explainer_for(space_, arguments_.map.coordinates(space_.map()), moves_);
-    fail(result_.status, explainer.explain(**planner_, query, asked_->ends(), result_.status,
-                                           result_.plan.metrics));
+    fail(result_.status, explainer.explain(**planner_, eased.query(), ends_of(eased),
+                                           result_.status, result_.plan.metrics));
   }
   if (result_.status == Status::found && arguments_.refine.any()) refine_path();
-  if (result_.status == Status::found && arguments_.trajectory.wanted()) time_path();
   if (trace && result_.status != Status::cancelled) write_trace(*trace);
-  make_layers(query.limits);
+  if (result_.status == Status::found) put_lead_before(eased);
+  if (result_.status == Status::found && arguments_.trajectory.wanted()) time_path();
+  make_layers(eased.query().limits);
+}
+
+void PlanRun::note_what_was_eased(const EasedQuery& eased, const Explainer& explainer) {
+  for (const std::string& note : eased.notes()) complain(note);
+  result_.notes = eased.notes();
+  result_.planned_as_disc = explainer.planned_as_disc(**planner_);
+  if (!result_.planned_as_disc.empty()) {
+    result_.notes.push_back("the robot is " + result_.planned_as_disc);
+  }
+}
+
+/// The ends as they were asked for, but for a start that is led out.
+Ends PlanRun::ends_of(const EasedQuery& eased) const {
+  Ends ends = asked_->ends();
+  if (eased.lead_out()) {
+    ends.start =
+        Units(arguments_.map.coordinates(space_.map())).place("start", eased.query().start.point());
+  }
+  return ends;
+}
+
+/// Before the path that the search and its trace know, and before the refined one.
+void PlanRun::put_lead_before(const EasedQuery& eased) {
+  result_.lead_out = eased.lead_out();
+  if (const auto remaining = eased.remaining()) {
+    result_.remaining = *remaining * space_.map().frame().resolution;
+  }
+  const Path& lead = eased.lead();
+  if (lead.empty()) return;
+  begin_with(lead, result_.plan, space_.map().frame());
+  if (result_.refined)
+    result_.refined =
+        with_lead(lead, *std::move(result_.refined), space_,
+                  arguments_.refine.rounding(arguments_.map.coordinates(space_.map())));
 }
 
 void PlanRun::search_to_the_end(Query query) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/arguments/flags.hpp"
+#include "cli/arguments/leeway_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/option_flags.hpp"
 #include "cli/arguments/planner_argument.hpp"
@@ -26,6 +27,7 @@
 #include "wend/planner/planner.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/plan_report.hpp"
+#include "wend/session/eased_query.hpp"
 #include "wend/session/session.hpp"
 
 namespace wend::cli {
@@ -39,7 +41,7 @@ struct PlanArguments {
   std::string index;
   OptionFlags options{"planner"};
   LimitArguments limits;
-  bool nearest = false;
+  LeewayArguments leeway;
   TableFormat format = TableFormat::text;
   RefineArguments refine;
   TrajectoryArguments trajectory;
@@ -69,6 +71,9 @@ class PlanRun {
   Expected<WarmPlanner, Error> make_planner();
   void search();
   void search_to_the_end(Query query);
+  void note_what_was_eased(const EasedQuery& eased, const Explainer& explainer);
+  Ends ends_of(const EasedQuery& eased) const;
+  void put_lead_before(const EasedQuery& eased);
   void search_for(SearchObserver& observer, Query query);
   Status search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told);
   std::optional<Status> go_on(SteppedSearch& search);

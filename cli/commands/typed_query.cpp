@@ -82,16 +82,18 @@ Query CellQuery::query() const {
 
 Ends CellQuery::ends() const { return {start_, goals_}; }
 
-std::vector<std::string> CellQuery::move_to_nearest(const Explainer& explainer,
-                                                    const Planner& /*planner*/) {
-  Ends moved = ends();
-  auto notes = explainer.move_to_nearest(moved);
-  start_ = moved.start;
+void CellQuery::move_ends(const EasedQuery& eased) {
+  const Query asked = query();
+  const auto place = [this](const std::string& name, Point point) {
+    return coordinates_.place(name, cell_at(point));
+  };
+  if (eased.start_moved()) start_ = place("start", eased.query().start.point());
   for (std::size_t i = 0; i < goals_.size(); ++i) {
-    if (moved.goals[i].cell != goals_[i].cell) points_[i] = centre_of(moved.goals[i].cell);
+    const Point moved = eased.query().goals[i].point;
+    if (moved == asked.goals[i].point) continue;
+    goals_[i] = place("goal", moved);
+    points_[i] = moved;
   }
-  goals_ = moved.goals;
-  return notes;
 }
 
 Scene CellQuery::scene() const {
@@ -166,18 +168,15 @@ Ends PoseQuery::ends() const {
   return ends;
 }
 
-std::vector<std::string> PoseQuery::move_to_nearest(const Explainer& explainer,
-                                                    const Planner& planner) {
-  Query moved = query();
-  auto notes = explainer.move_to_nearest(moved, planner);
+void PoseQuery::move_ends(const EasedQuery& eased) {
+  const Query& moved = eased.query();
   const auto take = [&](TypedPose& end, Point point) {
     if (point == end.point) return;
     end.point = point;
     end.text = coordinates_.text(point);
   };
-  take(start_, moved.start.point());
+  if (eased.start_moved()) take(start_, moved.start.point());
   for (std::size_t i = 0; i < goals_.size(); ++i) take(goals_[i], moved.goals[i].point);
-  return notes;
 }
 
 Scene PoseQuery::scene() const {

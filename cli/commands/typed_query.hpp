@@ -21,6 +21,7 @@
 #include "wend/report/plan_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/session/eased_query.hpp"
 #include "wend/session/explainer.hpp"
 
 namespace wend::cli {
@@ -50,9 +51,8 @@ class TypedQuery {
   /// The same in words.
   virtual Ends ends() const = 0;
 
-  /// --nearest: moves the ends to where the robot can stand. Returns a line for each end moved.
-  virtual std::vector<std::string> move_to_nearest(const Explainer& explainer,
-                                                   const Planner& planner) = 0;
+  /// Takes the ends that --nearest has moved.
+  virtual void move_ends(const EasedQuery& eased) = 0;
 
   /// The map with start and goals.
   virtual Scene scene() const = 0;
@@ -88,8 +88,7 @@ class CellQuery final : public TypedQuery {
   void check(const ShownLayers& /*layers*/) const override {}
   Query query() const override;
   Ends ends() const override;
-  std::vector<std::string> move_to_nearest(const Explainer& explainer,
-                                           const Planner& planner) override;
+  void move_ends(const EasedQuery& eased) override;
   Scene scene() const override;
   Scene scene_of_failure(Status status, GridMoves moves) const override;
   std::optional<CostToGo> cost_to_go(GridMoves moves, const Limits& limits) const override;
@@ -119,8 +118,7 @@ class PoseQuery final : public TypedQuery {
   void check(const ShownLayers& layers) const override;
   Query query() const override;
   Ends ends() const override;
-  std::vector<std::string> move_to_nearest(const Explainer& explainer,
-                                           const Planner& planner) override;
+  void move_ends(const EasedQuery& eased) override;
   Scene scene() const override;
   /// Components and the widest path apply to discs only.
   Scene scene_of_failure(Status /*status*/, GridMoves /*moves*/) const override { return scene(); }

@@ -12,6 +12,8 @@ Hints command_line_hints() {
           .squeeze = "--connectivity 8 --corner-rule both",
           .robot_radius = "--robot-radius",
           .nearest = "--nearest",
+          .nearest_limit = "--nearest-limit",
+          .escape = "--escape",
           .explain = "`wend explain` shows where",
           .limit_expansions = "--limit-expansions",
           .limit_seconds = "--limit-time",

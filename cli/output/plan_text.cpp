@@ -99,6 +99,22 @@ std::string preparation_text(const WorkTimes& times) {
   return text;
 }
 
+/// What was done where the robot cannot be; empty for most queries.
+std::string eased_lines(const PlanResult& result, const Frame& frame) {
+  std::string text;
+  if (result.lead_out) {
+    const std::string length = length_text(result.lead_out->length / frame.resolution, frame);
+    text += named_line("lead out", length + ", before the first free place");
+  }
+  if (result.remaining) {
+    text += named_line("remaining", *result.remaining == 0
+                                        ? "0, a goal is reached"
+                                        : length_text(*result.remaining / frame.resolution, frame) +
+                                              " to the nearest goal, which no path reaches");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string time_text(double seconds) {
@@ -130,7 +146,7 @@ std::string plan_summary(const PlanResult& result, const Frame& frame) {
   const Plan& plan = result.plan;
   return named_line("planner", result.planner) +
          named_line("cost", fmt::format("{:.6g}", plan.cost)) +
-         named_line("length", length_text(plan.path.length(), frame)) +
+         named_line("length", length_text(plan.path.length(), frame)) + eased_lines(result, frame) +
          named_line("quality", bound_text(plan)) + solution_lines(result) +
          work_lines(plan.metrics, result.times);
 }
@@ -145,7 +161,7 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
          named_line("planner", result.planner) + named_line("steps", steps_text(plan)) +
          (result.unit > 0 ? named_line("turns in", radius_text(result.unit, coordinates)) : "") +
          named_line(result.cost_name, fmt::format("{:.6g}", plan.cost)) +
-         named_line("length", length_text(plan.path.length(), frame)) +
+         named_line("length", length_text(plan.path.length(), frame)) + eased_lines(result, frame) +
          named_line("quality", bound_text(plan)) + solution_lines(result) +
          work_lines(plan.metrics, result.times, fmt::format("of {} states", result.states));
 }

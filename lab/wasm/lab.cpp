@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lab/wasm/answers.hpp"
@@ -157,6 +158,7 @@ std::string Lab::plan(const Task& task) {
   if (task.headings) request.goals.front().heading = goal.heading;
   request.planner = task.record ? without_leaps(*std::move(spec)) : *std::move(spec);
   request.nearest = task.nearest;
+  request.nearest_limit = std::numeric_limits<double>::infinity();  // the page shows where to
   if (task.expansions > 0) request.limits.expansions = static_cast<std::uint64_t>(task.expansions);
   if (task.seconds > 0) request.limits.seconds = task.seconds;
   if (!task.smoother.empty()) {

@@ -10,12 +10,15 @@
 #include <nanobind/stl/vector.h>
 
 #include <cmath>
+#include <optional>
+#include <string>
 #include <tuple>
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/simulation.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
 
@@ -50,6 +53,13 @@ auto path_of(const Planned& plan) {
   }
   const std::size_t rows = numbers.size() / columns;
   return owned_array<double, 2>(std::move(numbers), {rows, columns});
+}
+
+/// Length in metres, points, reason.
+std::optional<std::tuple<double, std::size_t, std::string>> lead_out_of(const Planned& plan) {
+  const auto& lead_out = plan.answer.lead_out;
+  if (!lead_out) return std::nullopt;
+  return std::tuple(lead_out->length, lead_out->points, lead_out->reason);
 }
 
 auto cells_of(const Planned& plan) {
@@ -100,7 +110,15 @@ Planned smoothed(const Planned& plan, std::optional<std::string> smoother,
   Planned result{plan.answer};
   {
     const nb::gil_scoped_release unlocked;
-    result.answer.refined = value_or_throw(refined(plan.path(), plan.answer.space, refinement));
+    // A way out is not refined.
+    const auto& lead_out = plan.answer.lead_out;
+    const std::size_t points = lead_out ? lead_out->points : 0;
+    result.answer.refined =
+        value_or_throw(refined(behind_lead(plan.path(), points), plan.answer.space, refinement));
+    if (lead_out) {
+      Path& path = result.answer.refined->path;
+      path = joined(lead_of(plan.path(), points), path);
+    }
   }
   return result;
 }
@@ -203,6 +221,8 @@ void bind_plan(nb::module_& module) {
                    })
       .def_prop_ro("seconds", [](const Planned& plan) { return plan.answer.search_seconds; })
       .def_prop_ro("notes", [](const Planned& plan) { return plan.answer.notes; })
+      .def_prop_ro("lead_out", &lead_out_of)
+      .def_prop_ro("remaining", [](const Planned& plan) { return plan.answer.remaining; })
       .def_prop_ro("moves",
                    [](const Planned& plan) {
                      return std::vector<std::string>(plan.answer.plan.moves.begin(),

@@ -76,12 +76,16 @@ PlanRequest request_of(nb::handle start, const nb::list& goals, SearchSettings s
 
 Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
              const nb::dict& options, std::optional<double> time_limit,
-             std::optional<std::int64_t> expansions, bool nearest, double tolerance,
+             std::optional<std::int64_t> expansions, bool nearest,
+             std::optional<double> nearest_limit, double escape, bool closest, double tolerance,
              double heading_tolerance, Recording* recording, std::optional<double> keep) {
   PlanRequest request =
       request_of(start, goals, settings_of(std::move(planner), options, time_limit, expansions),
                  tolerance, heading_tolerance);
   request.nearest = nearest;
+  if (nearest_limit) request.nearest_limit = not_negative(*nearest_limit, "nearest_limit");
+  request.escape = not_negative(escape, "escape");
+  request.closest = closest;
   request.observer = recording;
   if (keep) request.keep = not_negative(*keep, "keep");
   const Session::View view = space.view();
@@ -206,7 +210,8 @@ void bind_planning(nb::class_<Space>& space) {
   space
       .def("plan", &plan, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
-           nb::arg("nearest"), nb::arg("tolerance"), nb::arg("heading_tolerance"),
+           nb::arg("nearest"), nb::arg("nearest_limit").none(), nb::arg("escape"),
+           nb::arg("closest"), nb::arg("tolerance"), nb::arg("heading_tolerance"),
            nb::arg("recording").none(), nb::arg("keep").none())
       .def("solutions", &solutions, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),

@@ -218,6 +218,8 @@ Hints hints() {
           .squeeze = "corner_rule=\"both\"",
           .robot_radius = "footprint=",
           .nearest = "nearest=True",
+          .nearest_limit = "nearest_limit=",
+          .escape = "escape=",
           .explain = "FreeSpace.explain()",
           .limit_expansions = "expansions=",
           .limit_seconds = "time_limit=",

@@ -111,6 +111,50 @@ def test_no_path_says_why() -> None:
     assert plan.notes and "start" in plan.notes[0]
 
 
+@pytest.mark.parametrize("planner", ["astar", "theta_star", "lattice", "hybrid_astar"])
+def test_leads_out_of_what_blocks_the_start(planner: str) -> None:
+    space = room()
+    ends = (1.15, 0.55, 0.2), (2.5, 0.25)
+    with pytest.raises(wend.NoPath, match="escape= 0."):
+        space.plan(*ends, planner)
+    plan = space.plan(*ends, planner, escape=0.3)
+    assert plan.lead_out is not None and plan.notes
+    assert 0 < plan.lead_out.length <= 0.3
+    assert "fit" in plan.lead_out.reason or "blocked" in plan.lead_out.reason
+    assert space.fits(plan.path[plan.lead_out.points]) and not space.fits(plan.path[0])
+    assert plan.path[0][:2] == pytest.approx(ends[0][:2])
+    assert space.plan((0.5, 0.5, 0), (0.5, 1), planner, escape=0.3).lead_out is None
+    smooth = plan.smooth()
+    points = plan.lead_out.points
+    assert smooth.path[:points] == pytest.approx(plan.path[:points])
+    assert wend.follow(plan).outcome != "collision"
+    with pytest.raises(wend.InvalidArgument, match="escape"):
+        space.plan(*ends, planner, escape=-1)
+
+
+def test_ends_at_the_closest_place() -> None:
+    cells = ROOM.copy()
+    cells[:, 20] = 1
+    space = wend.Map(cells, resolution=0.1).free_space()
+    with pytest.raises(wend.NoPath):
+        space.plan((0.5, 0.5), (2.55, 0.55))
+    plan = space.plan((0.5, 0.5), (2.55, 0.55), closest=True)
+    assert plan.remaining == pytest.approx(0.6)
+    assert plan.path[-1] == pytest.approx((1.95, 0.55))
+    assert space.plan((0.5, 0.5), (0.5, 1), closest=True).remaining == 0
+    assert space.plan((0.5, 0.5), (0.5, 1)).remaining is None
+
+
+def test_moves_ends_no_farther_than_a_limit() -> None:
+    cells = ROOM.copy()
+    cells[:, 20] = 1
+    space = wend.Map(cells, resolution=0.1).free_space()
+    ends = (0.5, 0.5), (2.55, 0.55)
+    assert space.plan(*ends, nearest=True).remaining == pytest.approx(0.6)
+    with pytest.raises(wend.NoPath, match="more than the limit of 0.5 m"):
+        space.plan(*ends, nearest=True, nearest_limit=0.5)
+
+
 def test_explains() -> None:
     cells = ROOM.copy()
     cells[15:, 10] = -1

@@ -17,7 +17,7 @@ from ._types import named_types
 if TYPE_CHECKING:
     from ._map import Map
 
-__all__ = ["Drive", "Plan", "Quality", "Trajectory", "follow"]
+__all__ = ["Drive", "LeadOut", "Plan", "Quality", "Trajectory", "follow"]
 
 
 class Quality(NamedTuple):
@@ -33,6 +33,17 @@ class Quality(NamedTuple):
     smallest_clearance: float
     """The least distance from the path to an obstacle; exact along the whole path."""
     mean_clearance: float
+
+
+class LeadOut(NamedTuple):
+    """A way out of what blocks the start, along which the robot never overlaps more of it."""
+
+    length: float
+    """Metres; a turn in place has none."""
+    points: int
+    """How many points of the path come before the first one where the robot fits."""
+    reason: str
+    """Why the robot does not fit at the start."""
 
 
 class Plan:
@@ -116,9 +127,27 @@ class Plan:
 
     @property
     def notes(self) -> list[str]:
-        """A sentence for each end that was moved (``nearest=True``), and one if a planner on cells took the disc around
-        the robot's polygon."""
+        """A sentence for each end that was moved (``nearest=True``), led out (``escape=``) or replaced
+        (``closest=True``), and one if a planner on cells took the disc around the robot's polygon."""
         return self._inner.notes
+
+    @property
+    def lead_out(self) -> LeadOut | None:
+        """How the path begins if the robot does not fit at the start (``escape=``); None if it fits. ``cost`` is that of
+        the path behind it."""
+        lead_out = self._inner.lead_out
+        return None if lead_out is None else LeadOut(*lead_out)
+
+    @property
+    def remaining(self) -> float | None:
+        """Metres from the path's end to the nearest goal: 0 if a goal was reached. None unless ``closest=True``, or
+        ``nearest=True`` moved a goal that no path reaches.
+
+        >>> import wend
+        >>> wend.Map([[0, 0, 0, 1, 0]]).free_space().plan((0, 0), (4, 0), closest=True).remaining
+        2.0
+        """
+        return self._inner.remaining
 
     @property
     def moves(self) -> list[str]:
@@ -269,7 +298,8 @@ def follow(
     :param controller: a name from ``wend.controllers()``; `options` are its options. By default "stanley" for a path
         of poses, else "pure_pursuit".
     :param model: `drivetrain` ("differential", "bicycle" or "omni"), `speed`, `turn_rate`, `acceleration`, ...
-    :param simulation: `rate`, `latency`, `position_noise`, `heading_noise`, `actuation_noise`, `seed`, ...
+    :param simulation: `rate`, `latency`, `position_noise`, `heading_noise`, `actuation_noise`, `seed`, `escape` (by
+        default a little more than the plan's ``lead_out``), ...
     :param follower: `goal_tolerance`, `heading_tolerance` (0.1 rad, of a goal with a heading; 0: any),
         `acceptance_radius`, `off_path`, `stuck_time`, ...
 
@@ -281,8 +311,11 @@ def follow(
     >>> wend.follow(plan.smooth(), "pid").outcome
     'reached'
     """
+    simulated = dict(simulation or {})
+    if plan.lead_out is not None:
+        simulated.setdefault("escape", plan.lead_out.length + 2 * plan.map.resolution)
     return Drive(
         **plan._inner.follow(
-            controller, text_of(options), text_of(model or {}), text_of(simulation or {}), text_of(follower or {})
+            controller, text_of(options), text_of(model or {}), text_of(simulated), text_of(follower or {})
         )
     )

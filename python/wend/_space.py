@@ -121,6 +121,9 @@ class FreeSpace:
         time_limit: float | None = None,
         expansions: int | None = None,
         nearest: bool = False,
+        nearest_limit: float | None = None,
+        escape: float = 0,
+        closest: bool = False,
         tolerance: float = 0,
         heading_tolerance: float = 0,
         **options: object,
@@ -132,7 +135,14 @@ class FreeSpace:
         :param planner: a name from ``wend.planners()``; `options` are its options.
         :param time_limit: seconds.
         :param expansions: the most states to expand.
-        :param nearest: if an end is blocked, plan from or to the nearest free cell; ``Plan.notes`` says so.
+        :param nearest: if an end is blocked, or no path reaches the goal, plan from or to the nearest free cell;
+            ``Plan.notes`` says so.
+        :param nearest_limit: metres: how far `nearest` moves an end at most. None: 1, on a map without a resolution
+            any distance.
+        :param escape: metres: if the robot does not fit at the start, the path begins with the shortest way out, at most
+            this long, along which it never overlaps more of what blocks it; see ``Plan.lead_out``.
+        :param closest: if no path reaches a goal, the path ends at the reachable place nearest to one; see
+            ``Plan.remaining``.
         :param tolerance: metres: a path may end this far from the goal; 0: in its cell.
         :param heading_tolerance: radians: the same for the goal's heading.
         :raises wend.NoPath: there is no path, an end is blocked or outside of the map, or a limit was reached.
@@ -157,6 +167,9 @@ class FreeSpace:
                 time_limit,
                 expansions,
                 nearest,
+                nearest_limit,
+                escape,
+                closest,
                 tolerance,
                 heading_tolerance,
                 None,
@@ -324,7 +337,8 @@ class FreeSpace:
         try:
             plan = Plan(
                 self._inner.plan(
-                    start, goals, planner, text_of(options), time_limit, expansions, False, 0, 0, recording, None
+                    start, goals, planner, text_of(options), time_limit, expansions,
+                    False, None, 0, False, 0, 0, recording, None,
                 ),
             )
         except NoPath as no_path:

@@ -68,6 +68,8 @@ struct wend_plan {
   double bound;
   double length;  // metres
   wend::SearchMetrics metrics;
+  wend::LeadOut lead_out = {};  // of length 0 without one
+  double remaining;             // metres; NaN without an answer
   bool kept;
 };
 

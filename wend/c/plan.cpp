@@ -11,6 +11,8 @@ wend_plan::wend_plan(const wend::PlanAnswer& answer)
       bound(answer.plan.bound),
       length(answer.path().length() * answer.space.map().frame().resolution),
       metrics(answer.plan.metrics),
+      lead_out(answer.lead_out.value_or(wend::LeadOut{})),
+      remaining(answer.remaining.value_or(std::numeric_limits<double>::quiet_NaN())),
       kept(answer.kept) {
   for (const wend::MapPose& pose : answer.poses()) poses.push_back({pose.x, pose.y, pose.heading});
 }
@@ -71,6 +73,22 @@ uint64_t wend_plan_expanded(const wend_plan* plan) {
 
 uint64_t wend_plan_generated(const wend_plan* plan) {
   return plan == nullptr ? 0 : plan->metrics.generated;
+}
+
+double wend_plan_lead_out_length(const wend_plan* plan) {
+  return plan == nullptr ? kNoNumber : plan->lead_out.length;
+}
+
+size_t wend_plan_lead_out_pose_count(const wend_plan* plan) {
+  return plan == nullptr ? 0 : plan->lead_out.points;
+}
+
+const char* wend_plan_lead_out_reason(const wend_plan* plan) {
+  return plan == nullptr ? nullptr : plan->lead_out.reason.c_str();
+}
+
+double wend_plan_remaining(const wend_plan* plan) {
+  return plan == nullptr ? kNoNumber : plan->remaining;
 }
 
 void wend_plan_free(wend_plan* plan) { delete plan; }

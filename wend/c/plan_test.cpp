@@ -179,6 +179,10 @@ TEST(CPlan, BearsNullPointers) {
   EXPECT_TRUE(std::isnan(wend_plan_length(nullptr)));
   EXPECT_EQ(wend_plan_expanded(nullptr), 0U);
   EXPECT_EQ(wend_plan_generated(nullptr), 0U);
+  EXPECT_TRUE(std::isnan(wend_plan_lead_out_length(nullptr)));
+  EXPECT_EQ(wend_plan_lead_out_pose_count(nullptr), 0U);
+  EXPECT_EQ(wend_plan_lead_out_reason(nullptr), nullptr);
+  EXPECT_TRUE(std::isnan(wend_plan_remaining(nullptr)));
   wend_plan_free(nullptr);
 }
 

@@ -75,7 +75,11 @@ constexpr wend_request kRequestDefaults{sizeof(wend_request),
                                         1,
                                         nullptr,
                                         nullptr,
-                                        0};
+                                        0,
+                                        0,
+                                        0,
+                                        0,
+                                        std::numeric_limits<double>::quiet_NaN()};
 
 MapPose map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading}; }
 
@@ -169,6 +173,18 @@ RequestResult plan_request_of(const wend_request* given, double resolution) {
   asked->keep = given->keep;
   asked->start = map_pose(given->start);
   asked->explain = given->explain != 0;
+  if (!(given->escape >= 0) || !std::isfinite(given->escape)) {
+    return refused("wend_request.escape is " + format_number(given->escape) +
+                   ": a finite number from 0 expected");
+  }
+  asked->escape = given->escape;
+  asked->closest = given->closest != 0;
+  asked->nearest = given->nearest != 0;
+  if (given->nearest_limit < 0) {
+    return refused("wend_request.nearest_limit is " + format_number(given->nearest_limit) +
+                   ": a number from 0, or NaN, expected");
+  }
+  if (!std::isnan(given->nearest_limit)) asked->nearest_limit = given->nearest_limit;
   if (given->straighten != 0) asked->refinement.simplify = Simplification{};
   if (given->spacing > 0) asked->refinement.spacing = given->spacing / resolution;
   return asked;

@@ -9,6 +9,7 @@
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/trigonometry.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/robot/fits_along.hpp"
 
 namespace wend {
@@ -29,12 +30,17 @@ Segment to_grid(const MapSegment& way, const Frame& frame) {
 /// Moves a robot along segments and counts how often it runs into obstacles.
 class CollisionCounter {
  public:
-  explicit CollisionCounter(const FreeSpace& space) : space_(space) {}
+  /// A robot that does not fit at `start` may drive `escape` metres as long as it does not go deeper.
+  CollisionCounter(const FreeSpace& space, const Pose& start, double escape)
+      : space_(space), escape_(escape) {
+    if (escape > 0 && !space.fits(start)) leaving_.emplace(space, start, kLeavingRounding);
+  }
 
   /// Sweeps a segment: how much of it is free, 0 to 1, if it runs into something there; nothing if it does not, or has
   /// already.
   std::optional<double> sweep(const MapSegment& way) {
     const Segment in_grid = to_grid(way, space_.map().frame());
+    if (leaving_ && leaves(in_grid)) return std::nullopt;
     const bool was_free = free_;
     free_ = is_free(in_grid);
     if (free_ || !was_free) return std::nullopt;
@@ -47,6 +53,18 @@ class CollisionCounter {
   std::optional<Point> first() const { return first_; }
 
  private:
+  // Cells: a robot does not keep exactly to its path.
+  static constexpr double kLeavingRounding = 0.02;
+
+  /// Is the segment one of the way out?
+  bool leaves(const Segment& way) {
+    escape_ -= std::abs(way.length) * space_.map().frame().resolution;
+    const bool goes_on =
+        escape_ >= -kLeavingRounding * space_.map().frame().resolution && leaving_->go_along(way);
+    if (!goes_on || !leaving_->overlaps()) leaving_.reset();
+    return goes_on;
+  }
+
   /// Arcs of robots on wheels are swept exactly.
   bool is_free(const Segment& way) const {
     return way.course == 0 && way.length != 0 ? fits_along(space_, way_of_base(way))
@@ -66,6 +84,8 @@ class CollisionCounter {
   }
 
   const FreeSpace& space_;
+  double escape_;                      // metres that are left for the way out
+  std::optional<DepthWatch> leaving_;  // until the robot fits
   bool free_ = true;
   std::uint64_t count_ = 0;
   std::optional<Point> first_;
@@ -154,7 +174,7 @@ class Simulation {
         period_(1 / options.rate),
         follower_(controller, model.limits, adapted(follower, model)),
         tolerances_(follower),
-        collisions_(space),
+        collisions_(space, frame_.to_grid(route_.start()), options.escape),
         random_(static_cast<std::uint64_t>(options.seed)),
         delay_(options.latency, period_) {
     robot_.pose = route_.start();

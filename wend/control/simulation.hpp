@@ -39,6 +39,7 @@ struct SimulationOptions {
   std::int64_t seed = 1;          // of the noise, 0 to 9e15
   bool closed = false;            // one lap, back to the start
   bool stop_at_collision = true;  // else the robot drives on, and collisions are counted
+  double escape = 0;  // m, within which a robot that does not fit at the start may leave it
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -57,6 +58,11 @@ struct SimulationOptions {
     field({"seed", "seed of the noise"}, self.seed, {0, 9e15});
     field({"closed", "drive one lap of a closed path"}, self.closed);
     field({"stop_at_collision", "stop at the first collision"}, self.stop_at_collision);
+    field(
+        {"escape",
+         "if the robot does not fit at the start: how far it may drive, m, before it fits, without "
+         "a collision where it does not go deeper into what blocks it; 0: off"},
+        self.escape, {0, 1e6});
   }
 };
 

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,14 @@ enum class CellState : unsigned char {
   free,      // no obstacle
   occupied,  // an obstacle
   unknown    // not seen yet; UnknownPolicy decides
+};
+
+/// Cells that a mask blocks and the map itself does not: the zone of a keep-out mask. A robot inside may leave it.
+struct MapZone {
+  std::string name;  // of the mask, as messages say it; may be empty
+  BitGrid cells;     // as large as the map
+
+  friend bool operator==(const MapZone&, const MapZone&) = default;
 };
 
 class GridMap {
@@ -73,7 +82,20 @@ class GridMap {
   /// The multipliers, or an empty grid on uniform terrain.
   const Grid<double>& terrain() const { return data_->terrain; }
 
-  /// Changes cells; other copies keep what they were. Returns boxes that contain the cells that differ from
+  /// The zones of masks that were laid over the map, see masked(). Their cells are occupied.
+  std::span<const MapZone> zones() const { return data_->zones; }
+  /// The zone that blocks a cell of the map; null if none does, or if the map itself is not free there.
+  const MapZone* zone(Cell cell) const {
+    for (const MapZone& zone : data_->zones) {
+      if (zone.cells[cell]) return &zone;
+    }
+    return nullptr;
+  }
+  /// Adds a zone, as large as the map, whose cells are occupied.
+  void add_zone(MapZone zone) { data_.change().zones.push_back(std::move(zone)); }
+
+  /// Changes cells; other copies keep what they were. Cells whose state an edit sets are no longer cells of a
+  /// zone. Returns boxes that contain the cells that differ from
   /// before, few and small; none if there are none. Fails as fault_of() does, and changes nothing then.
   /// O(cells of the edit) if no other copy shares the cells, else O(cells) once; the first terrain on a
   /// uniform map takes O(cells) too.
@@ -88,11 +110,13 @@ class GridMap {
     Grid<double> terrain;  // empty if no cell costs more than 1
     Frame frame;
     std::size_t dear_cells;  // that cost more than 1
+    std::vector<MapZone> zones = {};
   };
 
   explicit GridMap(Data data) : data_(std::in_place, std::move(data)) {}
 
   static void set_terrain(Data& data, Cell cell, double multiplier);
+  static void forget_zones(Data& data, const MapEdit& edit);
   static CellBox edit_box(Data& data, const MapEdit& edit);
   static std::vector<Cell> edit_cells(Data& data, const std::vector<CellEdit>& cells);
 

@@ -72,9 +72,21 @@ std::vector<Cell> GridMap::edit_cells(Data& data, const std::vector<CellEdit>& c
   return changed;
 }
 
+/// What an edit says of a cell is no mask's word.
+void GridMap::forget_zones(Data& data, const MapEdit& edit) {
+  const CellBox box = edit.box();
+  for (MapZone& zone : data.zones) {
+    for (const Cell cell : every_cell(edit.states)) {
+      zone.cells.set({box.begin.x + cell.x, box.begin.y + cell.y}, false);
+    }
+    for (const CellEdit& each : edit.cells) zone.cells.set(each.cell, false);
+  }
+}
+
 Expected<std::vector<CellBox>, Error> GridMap::edit(const MapEdit& edit) {
   if (auto fault = fault_of(edit, *this)) return Unexpected<Error>(*std::move(fault));
   Data& data = data_.change();
+  forget_zones(data, edit);
   const CellBox box = edit_box(data, edit);
   std::vector<CellBox> boxes = boxes_around(edit_cells(data, edit.cells));
   if (!box.empty()) boxes.push_back(box);

@@ -5,7 +5,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/trigonometry.hpp"
@@ -59,7 +61,11 @@ class Placement {
 class MaskedCells {
  public:
   MaskedCells(const GridMap& map, const GridMap& mask)
-      : map_(map), mask_(mask), occupied_(map.occupied()), unknown_(map.unknown()) {
+      : map_(map),
+        mask_(mask),
+        occupied_(map.occupied()),
+        unknown_(map.unknown()),
+        zones_(map.zones().begin(), map.zones().end()) {
     if (!mask.uniform_terrain()) factors_ = {map.width(), map.height(), 1};
   }
 
@@ -69,6 +75,7 @@ class MaskedCells {
       case CellState::unknown:
         return;
       case CellState::occupied:
+        if (map_.state(cell) == CellState::free && !occupied_[cell]) add_to_zone(cell, of_mask);
         occupied_.set(cell, true);
         unknown_.set(cell, false);
         return;
@@ -90,15 +97,30 @@ class MaskedCells {
                                terrain.row(y).begin(), std::multiplies<>());
       }
     }
-    return make_grid_map(std::move(occupied_), std::move(unknown_), map_.frame(),
-                         std::move(terrain));
+    auto made =
+        make_grid_map(std::move(occupied_), std::move(unknown_), map_.frame(), std::move(terrain));
+    if (!made) return made;
+    for (MapZone& zone : zones_) made->add_zone(std::move(zone));
+    return made;
   }
 
  private:
+  /// The zone of the same name, made if there is none.
+  void add_to_zone(Cell cell, Cell of_mask) {
+    const MapZone* const own = mask_.zone(of_mask);
+    const std::string_view name = own == nullptr ? std::string_view() : own->name;
+    auto zone = std::ranges::find(zones_, name, &MapZone::name);
+    if (zone == zones_.end()) {
+      zone = zones_.insert(zone, {std::string(name), BitGrid(map_.width(), map_.height())});
+    }
+    zone->cells.set(cell, true);
+  }
+
   const GridMap& map_;
   const GridMap& mask_;
   BitGrid occupied_;
   BitGrid unknown_;
+  std::vector<MapZone> zones_;
   Grid<double> factors_;  // empty if the mask makes nothing dearer
   bool touched_ = false;
 };

@@ -20,7 +20,9 @@
 
 namespace wend {
 
-/// The map under a mask. Fails with invalid_map if the mask does not touch the map, if sizes differ that must
+/// The map under a mask. The cells that only the mask blocks become a zone (GridMap::zones()) with the name of the
+/// mask's own zone there (load_mask() gives it the file's), so that messages can say what blocks a robot, and a
+/// robot inside can be led out. Fails with invalid_map if the mask does not touch the map, if sizes differ that must
 /// not, or if a product of multipliers is not finite. O(cells of the map and of the mask).
 WEND_API Expected<GridMap, Error> masked(const GridMap& map, const GridMap& mask);
 

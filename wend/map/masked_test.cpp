@@ -56,6 +56,30 @@ bool middle_lies_in(const Frame& one, Cell cell, const Frame& other, Cell square
   return x >= 0 && x < 1 && y >= 0 && y < 1;
 }
 
+TEST(Masked, RemembersWhatOnlyAMaskBlocks) {
+  Grid<CellState> cells(4, 2, CellState::free);
+  cells[{1, 0}] = CellState::occupied;
+  cells[{2, 0}] = CellState::unknown;
+  Grid<CellState> zone(4, 2, CellState::free);
+  for (int x = 0; x < 3; ++x) zone[{x, 0}] = CellState::occupied;
+  GridMap mask = *make_grid_map(zone);
+  mask.add_zone({"zones.yaml", mask.occupied()});
+  Grid<CellState> other(4, 2, CellState::free);
+  other[{0, 0}] = other[{3, 1}] = CellState::occupied;
+  GridMap map = *masked(*masked(*make_grid_map(cells), mask), *make_grid_map(other));
+  ASSERT_EQ(map.zones().size(), 2U);
+  EXPECT_EQ(map.zone({0, 0})->name, "zones.yaml");
+  EXPECT_EQ(map.zone({1, 0}), nullptr) << "the map is blocked there";
+  EXPECT_EQ(map.zone({2, 0}), nullptr) << "the map is not free there";
+  EXPECT_EQ(map.zone({3, 1})->name, "");
+  EXPECT_EQ(map.zone({3, 0}), nullptr);
+  ASSERT_TRUE(map.edit({.cells = {{{0, 0}, CellState::occupied}}}));
+  EXPECT_EQ(map.zone({0, 0}), nullptr) << "what an edit says is no mask's word";
+  Grid<CellState> box(1, 1, CellState::free);
+  ASSERT_TRUE(map.edit({.corner = {3, 1}, .states = box}));
+  EXPECT_EQ(map.zone({3, 1}), nullptr);
+}
+
 struct MaskedCell {
   CellState state;
   double terrain;

@@ -88,6 +88,12 @@ std::string Planner::reason(const Query& query, Status status) const {
   return reason + beyond_tolerance(query, status, cells_text(query.goals.front().tolerance));
 }
 
+std::optional<Pose> Planner::do_place_of(const Pose& pose) const {
+  const auto cell = cell_under(free_space(), pose.point());
+  if (!cell) return std::nullopt;
+  return pose_at(*cell, pose.heading);
+}
+
 void Planner::clear(Plan& out) {
   out.path.clear();
   out.cost = std::numeric_limits<double>::infinity();

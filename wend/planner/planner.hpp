@@ -16,10 +16,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/status.hpp"
+#include "wend/planner/leaving_motion.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
@@ -96,6 +98,16 @@ class WEND_API Planner {
     return do_rest_of(path, query, passed);
   }
 
+  /// The pose at which a path from this one begins, free or not: the middle of its cell, the nearest place of a
+  /// lattice, the pose itself. Nothing if it is not on the map. Grid coordinates.
+  std::optional<Pose> place_of(const Pose& pose) const { return do_place_of(pose); }
+
+  /// For a planner with headings: what its robot can drive from such a place, whether it fits there or not; motions
+  /// that may end anywhere are about `most` cells long. Empty for a planner on cells.
+  std::vector<LeavingMotion> motions_from(const Pose& place, double most) const {
+    return do_motions_from(place, most);
+  }
+
   /// Spacing of the car's lattice in cells; 0 for grid planners.
   int corner_unit() const { return do_corner_unit(); }
 
@@ -145,6 +157,10 @@ class WEND_API Planner {
   virtual std::optional<Plan> do_rest_of(const Path& /*path*/, const Query& /*query*/,
                                          std::size_t& /*passed*/) const {
     return std::nullopt;
+  }
+  virtual std::optional<Pose> do_place_of(const Pose& pose) const;
+  virtual std::vector<LeavingMotion> do_motions_from(const Pose& /*place*/, double /*most*/) const {
+    return {};
   }
   virtual int do_corner_unit() const { return 0; }
   virtual std::unique_ptr<Planner> do_clone() const = 0;

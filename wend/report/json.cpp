@@ -125,6 +125,19 @@ Json json_of(const OptionInfo& option) {
   return json;
 }
 
+void put_eased(Json& json, const std::optional<LeadOut>& lead_out,
+               const std::optional<double>& remaining, const Frame& frame) {
+  if (lead_out) {
+    json["lead_out"] = {{"length_cells", lead_out->length / frame.resolution},
+                        {"length_m", lead_out->length},
+                        {"points", lead_out->points},
+                        {"reason", lead_out->reason}};
+  }
+  if (remaining) {
+    json["remaining"] = {{"cells", *remaining / frame.resolution}, {"m", *remaining}};
+  }
+}
+
 void put_path(Json& json, const Plan& plan, const Frame& frame, const Capabilities& capabilities) {
   const bool found = !plan.path.empty();
   const double length = plan.path.length();

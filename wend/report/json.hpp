@@ -63,6 +63,10 @@ Json in_microseconds(double seconds);
 /// {"load_us", "free_space_us", "planner_us", "index_us", "search_us"}; null for steps that did not occur.
 Json json_of(const WorkTimes& times);
 
+/// "lead_out" and "remaining", each where there is one; see plan_report.hpp.
+void put_eased(Json& json, const std::optional<LeadOut>& lead_out,
+               const std::optional<double>& remaining, const Frame& frame);
+
 /// "cost", "length_cells", "length_m", "path", "path_m" of a plan; without a path, null and empty.
 /// For planners with headings also "steps", "headings", "moves", "yaw", "poses_m" and "gears", as in
 /// plan_json().

@@ -145,7 +145,7 @@ void put_refined(Json& json, const RefinedPath& path, const Frame& frame) {
 }
 
 std::string check_json(const MeasuredPath& path, const std::optional<PathCollision>& collision,
-                       const Frame& frame) {
+                       const Frame& frame, double lead_cells) {
   Json json{{"free", !collision.has_value()}, {"collision", Json()}};
   if (collision) {
     json["collision"] = {
@@ -155,6 +155,9 @@ std::string check_json(const MeasuredPath& path, const std::optional<PathCollisi
         {"point", json_of(collision->point)},
         {"point_m", json_of_fractions(frame.to_metres(collision->point))},
         {"obstacle", collision->obstacle ? json_of(*collision->obstacle) : Json()}};
+  }
+  if (lead_cells > 0) {
+    json["lead_out"] = {{"length_cells", lead_cells}, {"length_m", lead_cells * frame.resolution}};
   }
   json["metrics"] = json_of(path, frame);
   return text_of(json);

@@ -62,9 +62,10 @@ std::string_view to_string(CollisionKind kind);
 
 /// {"schema": 1, "free": false, "collision": {"kind": "too_close", "along_cells", "along_m", "point": [x,y],
 /// "point_m": [x,y], "obstacle": [i,j]}, "metrics": {...}}; null without a collision, and
-/// without metrics. One line with its line end.
+/// without metrics. If the path begins with a way out of what blocks its start, "lead_out": {"length_cells", "length_m"}
+/// follows. One line with its line end.
 std::string check_json(const MeasuredPath& path, const std::optional<PathCollision>& collision,
-                       const Frame& frame);
+                       const Frame& frame, double lead_cells = 0);
 
 /// A path before and after refinement.
 struct RefinedPath {

@@ -41,6 +41,9 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   if (result.refined) put_refined(json, *result.refined, frame);
   if (result.trajectory) json["trajectory"] = json_of(*result.trajectory);
   json["bound"] = result.plan.bound;
+  if (result.status == Status::found) {
+    put_eased(json, result.lead_out, result.remaining, frame);
+  }
   if (result.capabilities.headings) {
     const bool found = !result.plan.path.empty();
     json["start_shift"] = found ? json_of(result.plan.start_snapping_error, frame) : Json();

@@ -46,6 +46,11 @@
 // are the snapping errors of start and goal, and `states` is the number of valid states. On failure
 // the lists are empty, `steps` and the shifts null.
 //
+// If the path begins with a way out of what blocks the start: "lead_out": {"length_cells": 2, "length_m": 0.1,
+// "points": 2, "reason": "the start ... is blocked: ..."}; `points` of the path come before the first free one, and
+// `cost` is that of the path behind it. If --closest was asked for, or goals were moved because no path reaches them:
+// "remaining": {"cells": 3, "m": 0.15}, the distance from the path's end to the nearest goal, 0 where it was reached.
+//
 // Layers, if given, follow as "layers": {"g": [[0,1,...],...]}, a list for every row, row 0 first:
 // numbers, or names of directions on a page ("up_left"); null for unset cells.
 
@@ -67,6 +72,7 @@
 #include "wend/base/status.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/report/path_report.hpp"
@@ -110,6 +116,9 @@ struct PlanResult {
   std::optional<SampledTrajectory> trajectory{};
   bool anytime = false;                    // Planner::anytime()
   std::vector<TimedSolution> solutions{};  // of an anytime planner, in order
+  std::optional<LeadOut>
+      lead_out{};  // how the paths begin, if they lead out of what blocks the start
+  std::optional<double> remaining{};  // metres to the nearest goal, as in PlanAnswer
   int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
   Footprint footprint{};
   std::vector<std::string> notes{};  // sentences, as PlanAnswer::notes

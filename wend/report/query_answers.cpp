@@ -56,6 +56,7 @@ std::string query_answers_json(std::string_view planner, std::span<const QueryAn
              {"status", answer.status},
              {"reason", answer.reason}};
     put_path(row, answer.plan, frame, capabilities);
+    put_eased(row, answer.lead_out, answer.remaining, frame);
     row["metrics"] = json_of(answer.plan.metrics);
     row["search_us"] = in_microseconds(answer.seconds);
     rows.push_back(std::move(row));

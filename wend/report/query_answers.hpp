@@ -13,14 +13,16 @@
 //    [[x,y],...], "path_m": [[x,y],...], "metrics": {"expanded", "generated",
 //    "max_frontier"}, "search_us": 35.2}, ...]}
 //
-// with "steps", "headings", "moves" and "yaw" for a car, as in plan_json().
+// with "lead_out" and "remaining" where plan_json() has them, and "steps", "headings", "moves" and "yaw" for a car, as in plan_json().
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "wend/geometry/frame.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 
@@ -37,6 +39,9 @@ struct QueryAnswer {
   std::string reason;  // of a failure; else what was changed in the query, if anything
   Plan plan{};         // of a failure: its metrics
   double seconds = 0;  // CPU time of the search
+  std::optional<LeadOut>
+      lead_out{};  // how the path begins, if it leads out of what blocks the start
+  std::optional<double> remaining{};  // metres to the nearest goal, if it could not be reached
 
   bool found() const { return !plan.path.empty(); }
 };

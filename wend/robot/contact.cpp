@@ -6,6 +6,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/robot/placed_polygon.hpp"
 #include "wend/robot/sweep.hpp"
+#include "wend/robot/zone_name.hpp"
 
 namespace wend {
 namespace {
@@ -79,8 +80,10 @@ std::string describe(const Contact& contact, const FreeSpace& space) {
     return "its " + named(contact.corner.value_or(0)) + " reaches over the map's edge";
   }
   const bool unknown = space.map().state(*contact.obstacle) == CellState::unknown;
+  const auto mask = mask_that_blocks(space, *contact.obstacle);
   const std::string cell =
-      (unknown ? "the unknown cell " : "the obstacle cell ") + cell_text(*contact.obstacle);
+      mask ? "the cell " + cell_text(*contact.obstacle) + " of " + *mask
+           : (unknown ? "the unknown cell " : "the obstacle cell ") + cell_text(*contact.obstacle);
   if (contact.corner) return "its " + named(*contact.corner) + " lies in " + cell;
   if (!contact.side) return "it covers " + cell;
   const std::size_t next = (*contact.side + 1) % outline.corners().size();

@@ -1,14 +1,23 @@
 #include "wend/session/explainer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "wend/base/parse.hpp"
+#include "wend/geometry/arc_distance.hpp"
 #include "wend/planner/goal_region.hpp"
 #include "wend/robot/nearest_passable.hpp"
+#include "wend/robot/sweep.hpp"
+#include "wend/robot/zone_name.hpp"
+#include "wend/session/closest_place.hpp"
 #include "wend/session/nearest_ends.hpp"
+#include "wend/session/way_out.hpp"
 
 namespace wend {
 namespace {
+
+constexpr double kTypedRounding = 1e-9;  // of lengths that were typed
 
 bool is_about_a_goal(Status status) {
   return status == Status::goal_outside || status == Status::goal_blocked ||
@@ -28,6 +37,22 @@ std::string joined_texts(const std::vector<std::string>& texts, std::string_view
     all += text;
   }
   return all;
+}
+
+/// ": it is the keep-out mask 'zones.yaml'", if no obstacle is too near for the robot's disc, but a zone is.
+std::string mask_near(const FreeSpace& space, Cell cell) {
+  const Point centre = centre_of(cell);
+  std::optional<std::string> mask;
+  const auto is_obstacle = [&](Cell square) {
+    const double away = distance(centre, square);
+    if (space.far_enough(4 * away * away)) return false;
+    const auto name = mask_that_blocks(space, square);
+    if (name) mask = name;
+    return !name;
+  };
+  const Box near = Box(centre).grown_by(space.radius_in_cells());
+  if (any_obstacle(space, near, is_obstacle) || !mask) return {};
+  return ": it is " + *mask;
 }
 
 }  // namespace
@@ -70,7 +95,10 @@ std::string Explainer::explain(const Query& query, const Ends& ends, Status stat
 std::string Explainer::explain(const Planner& planner, const Query& query, const Ends& ends,
                                Status status, const SearchMetrics& metrics) const {
   if (status == Status::index_mismatch) return planner.reason(query, status);
-  if (planner.grid_moves()) return explain(query, ends, status, metrics);
+  const std::string out =
+      (status == Status::start_blocked ? ways_out(planner, query) : std::string()) +
+      nearest_beyond_limit(planner, query, status);
+  if (planner.grid_moves()) return explain(query, ends, status, metrics) + out;
   if (is_limit(status)) return stopped(status, query.limits, metrics);
   const int unit = planner.corner_unit();
   if (status == Status::start_outside || status == Status::goal_outside) {
@@ -78,7 +106,67 @@ std::string Explainer::explain(const Planner& planner, const Query& query, const
     return "the " + place.name + ' ' + place.text + " is outside the map, which covers " +
            (unit > 0 ? units_.extent_of_corners() : units_.extent());
   }
-  return as_asked(ends, unit) + planner.reason(query, status);
+  return as_asked(ends, unit) + planner.reason(query, status) + out;
+}
+
+/// How a robot that does not fit at the start can leave it, or why it cannot.
+std::string Explainer::ways_out(const Planner& planner, const Query& query) const {
+  if (hints_.escape.empty()) return {};
+  const Frame& frame = units_.frame();
+  const double allowed = leeway_ ? leeway_->escape_in_cells(frame) : 0;
+  constexpr double kFarCells = 40;  // a way out that is longer is none
+  constexpr double kFarMetres = 2;
+  const double far =
+      std::max({kFarCells, 2 * allowed, frame.metric ? kFarMetres / frame.resolution : 0});
+  constexpr int kFewPlaces = 200;  // a reason is not worth more
+  const auto way = way_out(planner, query.start, std::min(far, 4 * kFarCells), kFewPlaces);
+  if (!way && allowed == 0) return {};
+  if (!way) return ". No way out of it was found along which the robot does not go deeper";
+  const std::string lets = hints_.escape + ' ' + hint_of_length(way->length) +
+                           " lets the robot leave it, by a way of " + units_.length(way->length);
+  if (allowed == 0) return "; " + lets;
+  return ". The way out is longer than the " + units_.length(allowed) + " allowed: " + lets;
+}
+
+/// What moving ends does not do because of its limit. Of blocked ends of a planner on cells the sentence about the
+/// nearest free cell says it.
+std::string Explainer::nearest_beyond_limit(const Planner& planner, const Query& query,
+                                            Status status) const {
+  if (!leeway_ || !leeway_->nearest) return {};
+  const auto beyond = [&](const std::string& what, Point place, double away) {
+    if (away <= most_moved() + kTypedRounding) return std::string();
+    return ". The nearest " + what + " is " + units_.text(place) + ", " + units_.length(away) +
+           " away" + too_far(away);
+  };
+  const double anywhere = std::numeric_limits<double>::infinity();
+  if (planner.grid_moves()) {
+    const auto closest =
+        status == Status::unreachable ? closest_cells(planner, query, anywhere) : std::nullopt;
+    if (!closest) return {};
+    return beyond("place that a path reaches", closest->goals.front().point, closest->distance);
+  }
+  if (status != Status::start_blocked && status != Status::goal_blocked) return {};
+  const Goal end = status == Status::start_blocked ? Goal(query.start) : query.goals.front();
+  const auto free = planner.nearest_free(end);
+  return free ? beyond("free place", *free, distance(*free, end.point)) : std::string();
+}
+
+/// A length as a front end takes it, rounded up a little.
+std::string Explainer::hint_of_length(double cells) const {
+  const double length = units_.metric() ? cells * units_.frame().resolution : cells;
+  constexpr double kSteps = 20;  // of 0.05
+  return format_number(std::ceil(length * kSteps - 1e-6) / kSteps);
+}
+
+double Explainer::most_moved() const {
+  return leeway_ ? leeway_->nearest_in_cells(units_.frame())
+                 : std::numeric_limits<double>::infinity();
+}
+
+/// ", more than the limit of 0.5 m (--nearest-limit 0.8)"
+std::string Explainer::too_far(double away) const {
+  return ", more than the limit of " + units_.length(most_moved()) +
+         in_brackets(hints_.nearest_limit, hint_of_length(away));
 }
 
 /// Reasons of planners of poses are in cells. If these are not what was asked, that comes first.
@@ -115,6 +203,9 @@ std::string Explainer::blocked(const Place& place) const {
 std::string Explainer::why(const Place& place, BlockReason reason) const {
   switch (reason) {
     case BlockReason::obstacle:
+      if (const auto mask = mask_that_blocks(space_, place.cell)) {
+        return "the cell is blocked by " + *mask;
+      }
       return "the cell is an obstacle";
     case BlockReason::unknown:
       if (hints_.unknown_free.empty()) return "the cell is unknown";
@@ -138,7 +229,8 @@ std::string Explainer::too_near(const Place& place, std::string_view obstacle) c
                                       ? "the radius of the disc around the robot's footprint"
                                       : "the robot's radius";
   return std::string(obstacle) + " is " + units_.length(space_.clearance(place.cell)) + " away, " +
-         std::string(radius) + " is " + units_.length(space_.radius_in_cells());
+         std::string(radius) + " is " + units_.length(space_.radius_in_cells()) +
+         mask_near(space_, place.cell);
 }
 
 std::string Explainer::planned_as_disc(const Planner& planner) const {
@@ -162,6 +254,7 @@ std::string Explainer::nearest(const Place& place, const Place& other) const {
   std::string text = "The nearest free cell";
   if (space_.passable(other.cell)) text += " that is connected to the " + other.name;
   text += " is " + units_.text(*cell) + ", " + units_.length(away) + " away";
+  if (leeway_ && leeway_->nearest && away > most_moved()) return text + too_far(away);
   if (hints_.nearest.empty()) return text;
   return text + ": " + hints_.nearest + " plans " + (place.name == "start" ? "from" : "to") +
          " that cell";
@@ -171,8 +264,14 @@ std::vector<std::string> Explainer::move_to_nearest(Ends& ends) const {
   std::vector<std::string> notes;
   for (Place& goal : ends.goals) {
     const NearestEnds moved = nearest_ends(space_, ends.start.cell, goal.cell, moves_.adjacency());
-    if (moved.start != ends.start.cell) notes.push_back(move(ends.start, moved.start, "from"));
-    if (moved.goal != goal.cell) notes.push_back(move(goal, moved.goal, "to"));
+    const auto is_near = [&](Cell from, Cell to) {
+      return from != to &&
+             distance(centre_of(from), centre_of(to)) <= most_moved() + kTypedRounding;
+    };
+    if (is_near(ends.start.cell, moved.start)) {
+      notes.push_back(move(ends.start, moved.start, "from"));
+    }
+    if (is_near(goal.cell, moved.goal)) notes.push_back(move(goal, moved.goal, "to"));
   }
   return notes;
 }
@@ -181,7 +280,9 @@ std::vector<std::string> Explainer::move_to_nearest(Query& query, const Planner&
   std::vector<std::string> notes;
   const auto moved = [&](const Goal& end, const Query& asked, bool is_start) {
     const Point point = planner.nearest_free(end).value_or(end.point);
-    if (point == end.point) return point;
+    if (point == end.point || distance(point, end.point) > most_moved() + kTypedRounding) {
+      return end.point;
+    }
     const bool on_map = cell_under(space_, end.point).has_value();
     const Status why = is_start ? (on_map ? Status::start_blocked : Status::start_outside)
                                 : (on_map ? Status::goal_blocked : Status::goal_outside);

@@ -18,6 +18,7 @@
 #include "wend/base/status.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/session/leeway.hpp"
 #include "wend/session/units.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
@@ -31,6 +32,8 @@ struct Hints {
   std::string squeeze = {};           // diagonal moves between obstacles that touch
   std::string robot_radius = {};      // a radius follows
   std::string nearest = {};           // plans from or to the nearest free cell
+  std::string nearest_limit = {};     // how far an end may be moved; a length follows
+  std::string escape = {};            // leads the robot out of what blocks it; a length follows
   std::string explain = {};           // shows the explanation: "`wend explain` shows where"
   std::string limit_expansions = {};  // a number follows
   std::string limit_seconds = {};     // a number follows
@@ -50,6 +53,9 @@ class WEND_API Explainer {
   /// For planners that move so. O(1).
   Explainer(FreeSpace space, Units units, GridMoves moves, Hints hints)
       : space_(std::move(space)), units_(units), moves_(moves), hints_(std::move(hints)) {}
+
+  /// What the queries may do where the robot cannot be. Until then: nothing, but ends are moved however far.
+  void allow(const Leeway& leeway) { leeway_ = leeway; }
 
   /// Why a query ended with this status, in one or more sentences. O(cells log cells) if start and goal
   /// are not connected, else O(cells until the nearest free one).
@@ -71,8 +77,8 @@ class WEND_API Explainer {
   /// "the start (3,4) is blocked: the cell is an obstacle"; empty if it is not.
   std::string blocked(const Place& place) const;
 
-  /// Moves start and goals to free cells by nearest_ends(): the start with the first goal. A sentence for each
-  /// that moved: "the start (3,4) is blocked: ...; planning from (3,5), 1 cell away".
+  /// Moves start and goals to free cells by nearest_ends(): the start with the first goal. An end stays if it would
+  /// move farther than the leeway says. A sentence for each that moved: "the start (3,4) is blocked: ...; planning from (3,5), 1 cell away".
   std::vector<std::string> move_to_nearest(Ends& ends) const;
   /// The same for a planner with headings, by Planner::nearest_free(). An end stays if there is no free place.
   std::vector<std::string> move_to_nearest(Query& query, const Planner& planner) const;
@@ -102,6 +108,11 @@ class WEND_API Explainer {
   std::string move(Place& place, Cell cell, std::string_view preposition) const;
   std::string blocked_end(const Place& place, const Place& other) const;
   std::string nearest(const Place& place, const Place& other) const;
+  std::string ways_out(const Planner& planner, const Query& query) const;
+  std::string too_far(double away) const;
+  std::string nearest_beyond_limit(const Planner& planner, const Query& query, Status status) const;
+  double most_moved() const;
+  std::string hint_of_length(double cells) const;
   std::string unreachable(const Place& start, const Place& goal) const;
   std::string as_asked(const Ends& ends, int corner_unit) const;
   std::string too_near(const Place& place, std::string_view obstacle) const;
@@ -111,6 +122,7 @@ class WEND_API Explainer {
   Units units_;
   GridMoves moves_;
   Hints hints_;
+  std::optional<Leeway> leeway_ = {};
 };
 
 /// Did a search end at a limit, or because it was cancelled?

@@ -1,6 +1,7 @@
 #include "wend/session/plan_request.hpp"
 
 #include "wend/path/corner_rounding.hpp"
+#include "wend/session/eased_query.hpp"
 
 namespace wend {
 
@@ -32,7 +33,7 @@ Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
   return Trajectory::along(*rounded, space.map().frame(), limits);
 }
 
-void finish_path(PlanAnswer& answer, const PlanRequest& request) {
+void finish_path(PlanAnswer& answer, const PlanRequest& request, const Path& lead) {
   Refinement refinement = request.refinement;
   refinement.adjacency = answer.moves.value_or(GridMoves{}).adjacency();
   if (refinement.simplify || refinement.smoother || refinement.spacing) {
@@ -43,6 +44,8 @@ void finish_path(PlanAnswer& answer, const PlanRequest& request) {
       answer.fault = std::move(refined.error());
     }
   }
+  begin_with(lead, answer.plan, answer.space.map().frame());
+  if (!lead.empty() && answer.refined) answer.refined->path = joined(lead, answer.refined->path);
   if (!request.trajectory) return;
   auto trajectory = timed_path(answer.path(), answer.space, refinement.adjacency,
                                *request.trajectory, request.corner_rounding);

@@ -15,12 +15,14 @@
 #include "wend/base/error.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/geometry/map_pose.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/session/leeway.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {
@@ -40,8 +42,15 @@ struct PlanRequest {
   Limits limits = {};                  // of the search
   SearchObserver* observer = nullptr;  // of the search; not owned
   OnSolution on_solution = {};         // as Query::on_solution: paths in grid coordinates
-  bool nearest = false;  // moves blocked ends, see nearest_ends() and Planner::nearest_free()
-  bool explain = true;   // why there is no path, at length; else in a short sentence
+  /// Moves blocked ends, see nearest_ends() and Planner::nearest_free(), and goals that no path reaches.
+  bool nearest = false;
+  /// By how much at most, in metres. Unset: 1 m on a map in metres, else by any distance.
+  std::optional<double> nearest_limit = {};
+  /// The longest way out of a start where the robot does not fit, in metres; 0: none. See way_out().
+  double escape = 0;
+  /// If no path reaches a goal, ends at the reachable place that is nearest to one.
+  bool closest = false;
+  bool explain = true;  // why there is no path, at length; else in a short sentence
   /// Answers from the costs to the goals from everywhere, which are kept for the next request with the
   /// same goals. For planners that step from cell to cell.
   bool from_field = false;
@@ -51,20 +60,30 @@ struct PlanRequest {
   Refinement refinement = {};                       // the planner's moves replace its adjacency
   std::optional<TrajectoryLimits> trajectory = {};  // also times the path
   double corner_rounding = kCornerRounding;         // cells; of the trajectory
+
+  /// What it may do where the robot cannot be.
+  Leeway leeway() const { return {escape, nearest, nearest_limit, closest}; }
 };
 
 /// A path, what was done with it, and the space that it was planned on.
 struct PlanAnswer {
   FreeSpace space;                            // that it was planned on
-  Plan plan;                                  // as the planner found it, in grid coordinates
+  Plan plan;                                  // as the planner found it, in grid coordinates; its
+                                              // cost is that of the path behind the lead out
   std::optional<GridMoves> moves = {};        // how the planner moves
   std::optional<Refined> refined = {};        // if a refinement was asked for
   std::optional<Trajectory> trajectory = {};  // if one was asked for
   std::optional<Error> fault = {};            // why the path could not be refined or timed
-  std::vector<std::string> notes = {};  // a sentence for each end that was moved, and one if a
-                                        // polygon was planned for as the disc around it
-  double search_seconds = 0;            // by SessionOptions::clock
-  bool kept = false;                    // is it what was left of the last path? See Session::replan()
+  std::vector<std::string> notes =
+      {};                     // a sentence for each end that was moved or led out, and one if a
+                              // polygon was planned for as the disc around it
+  double search_seconds = 0;  // by SessionOptions::clock
+  bool kept = false;          // is it what was left of the last path? See Session::replan()
+  std::optional<LeadOut> lead_out =
+      {};  // how both paths begin, if the robot did not fit at the start
+  /// Metres from the path's end to the nearest goal; 0 if it was reached. Set if the request says closest, or the goals
+  /// were moved because no path reaches them.
+  std::optional<double> remaining = {};
 
   /// The path, refined if it could be; in grid coordinates.
   const Path& path() const { return refined ? refined->path : plan.path; }
@@ -81,9 +100,9 @@ struct RequestFailure : PlanFailure {
 /// The query of a request in the grid coordinates of a map.
 WEND_API Query query_of(const PlanRequest& request, const Frame& frame);
 
-/// Refines and times the path of an answer, as the request says. If that fails, the answer's fault says
-/// why.
-WEND_API void finish_path(PlanAnswer& answer, const PlanRequest& request);
+/// Refines the path of an answer, as the request says, puts the lead before it, if there is one, and times it. If that
+/// fails, the answer's fault says why. The lead is never refined.
+WEND_API void finish_path(PlanAnswer& answer, const PlanRequest& request, const Path& lead = {});
 
 /// The fastest trajectory along a path with rounded corners, see rounded_corners() and Trajectory::along(). Fails as
 /// they do.

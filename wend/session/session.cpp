@@ -5,6 +5,7 @@
 #include "wend/base/mutex.hpp"
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/index_support.hpp"
+#include "wend/session/eased_query.hpp"
 #include "wend/session/kept_field.hpp"
 #include "wend/session/kept_plan.hpp"
 #include "wend/session/nearest_ends.hpp"
@@ -19,12 +20,6 @@ Unexpected<RequestFailure> no_plan(PlanFailure failure, double seconds = 0) {
 
 Unexpected<RequestFailure> no_plan(Error error) {
   return no_plan(PlanFailure{std::move(error), {}});
-}
-
-Ends ends_of(const Query& query, const Units& units) {
-  Ends ends{units.place("start", query.start.point()), {}};
-  for (const Goal& goal : query.goals) ends.goals.push_back(units.place("goal", goal.point));
-  return ends;
 }
 
 bool steps_from_cell_to_cell(const PlannerSpec& spec) {
@@ -44,21 +39,6 @@ std::optional<Error> fault_of(const PlanRequest& request, bool steps) {
                  "only planners that step from cell to cell answer from a field", "from_field"};
   }
   return std::nullopt;
-}
-
-/// Moves blocked ends. Returns a sentence for each.
-std::vector<std::string> move_ends(Query& query, const Planner& planner, const Explainer& explainer,
-                                   const Units& units) {
-  if (!planner.grid_moves()) return explainer.move_to_nearest(query, planner);
-  Ends ends = ends_of(query, units);
-  const Ends before = ends;
-  auto notes = explainer.move_to_nearest(ends);
-  if (ends.start.cell != before.start.cell) query.start = pose_at(ends.start.cell);
-  for (std::size_t i = 0; i < ends.goals.size(); ++i) {
-    const Cell cell = ends.goals[i].cell;
-    if (cell != before.goals[i].cell) query.goals[i].point = centre_of(cell);
-  }
-  return notes;
 }
 
 }  // namespace
@@ -240,33 +220,49 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
                                                             const PlannerSpec* asked) {
   const Units units(view.space.map());
   const auto moves = planner.grid_moves();
-  const Explainer explainer(view.space, units, moves.value_or(GridMoves{}), options.hints);
   if (auto fault = fault_of(request, moves && steps_from_cell_to_cell(spec))) {
     return no_plan(*std::move(fault));
   }
+  const Leeway leeway = request.leeway();
+  if (auto fault = fault_of(leeway)) return no_plan(*std::move(fault));
+  Explainer explainer(view.space, units, moves.value_or(GridMoves{}), options.hints);
+  explainer.allow(leeway);
   Query query = query_of(request, view.space.map().frame());
   PlanAnswer answer{.space = view.space, .plan = {}, .moves = moves};
-  if (request.nearest) answer.notes = move_ends(query, planner, explainer, units);
-  const Ends ends = ends_of(query, units);
+  EasedQuery eased(std::move(query), planner, explainer, units, leeway);
   const double begin = now();
-  Status status = request.from_field ? look_up(view, query, ends.start.cell, *moves, answer.plan)
-                                     : planner.plan(query, answer.plan);
+  const auto search = [&] {
+    const Query& eased_query = eased.query();
+    return request.from_field ? look_up(view, eased_query, ends_of(eased_query, units).start.cell,
+                                        *moves, answer.plan)
+                              : planner.plan(eased_query, answer.plan);
+  };
+  Status status = search();
+  if (eased.ease_goals(status)) status = search();
   answer.search_seconds = now() - begin;
   Errand errand;
   std::optional<AnsweredPath> rest_of;
   if (asked != nullptr) {
-    errand = {*asked, query.goals, view.space.map().frame()};
-    rest_of = take_rest(errand, planner, query, request.keep, status, answer);
+    errand = {*asked, eased.query().goals, view.space.map().frame()};
+    rest_of = take_rest(errand, planner, eased.query(), request.keep, status, answer);
   }
   if (status != Status::found) {
     const SearchMetrics& metrics = answer.plan.metrics;
-    std::string why = request.explain ? explainer.explain(planner, query, ends, status, metrics)
-                                      : planner.reason(query, status);
+    std::string why = request.explain
+                          ? explainer.explain(planner, eased.query(), ends_of(eased.query(), units),
+                                              status, metrics)
+                          : planner.reason(eased.query(), status);
     return no_plan(PlanFailure{{status, std::move(why)}, metrics}, answer.search_seconds);
+  }
+  eased.finish(answer.plan);
+  answer.notes = eased.notes();
+  answer.lead_out = eased.lead_out();
+  if (const auto remaining = eased.remaining()) {
+    answer.remaining = *remaining * view.space.map().frame().resolution;
   }
   auto disc = explainer.planned_as_disc(planner);
   if (!disc.empty()) answer.notes.push_back("the robot is " + std::move(disc));
-  finish_path(answer, request);
+  finish_path(answer, request, eased.lead());
   if (asked != nullptr) remember(std::move(errand), std::move(rest_of), answer);
   return answer;
 }

@@ -37,6 +37,9 @@ struct NodeOptions {
   double goal_tolerance = 0;
   double goal_heading_tolerance = 0;
   bool nearest = false;
+  double nearest_limit = 0.5;  // as the tolerance of planners of Nav2
+  double escape = 0.25;
+  bool closest = false;
   ReplanOnChange replan_on_change = ReplanOnChange::ahead;
   double keep = 0;
   bool smooth = true;
@@ -64,6 +67,16 @@ struct NodeOptions {
           self.goal_heading_tolerance, {0, 4});
     field({"nearest", "moves a blocked start or goal of topics to the nearest place that is free"},
           self.nearest);
+    field({"nearest_limit", "how far nearest moves a start or goal at most, m"}, self.nearest_limit,
+          {0, 1e3});
+    field(
+        {"escape",
+         "if the robot does not fit at the start: the longest way out that a path may begin with, "
+         "m; 0: none"},
+        self.escape, {0, 10});
+    field({"closest",
+           "if no path reaches the goal of topics: plan to the reachable place nearest to it"},
+          self.closest);
     field(
         {"replan_on_change",
          "plan again to the topics' goal after a change of the map: ahead, if it touches the path "

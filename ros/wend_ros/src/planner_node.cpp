@@ -217,6 +217,7 @@ void PlannerNode::plan_to(const geometry_msgs::PoseStamped& goal, Reason reason)
   PlanRequest request;
   request.goals = {goal};
   request.nearest = reconfigure_->parameters().flag("nearest") ? 1 : 0;
+  request.closest = reconfigure_->parameters().flag("closest") ? 1 : 0;
   const Map map = feed_->now();
   // A search that is watched expands cell by cell, and why there is no path takes even longer.
   SearchWatch watch(true);
@@ -251,7 +252,8 @@ wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
           .options = request.options,
           .time_limit = request.time_limit,
           .from_field = request.from_field != 0,
-          .nearest = request.nearest != 0};
+          .nearest = request.nearest != 0,
+          .closest = request.closest != 0};
   if (request.goals.empty()) return refused(StatusCode::invalid_request, "there is no goal");
   if (request.goals.size() > kMostGoals) {
     return refused(StatusCode::invalid_request, std::to_string(request.goals.size()) +

@@ -61,6 +61,9 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
   request.observer = watch.observer;
   request.on_solution = watch.on_solution;
   request.nearest = ask.nearest;
+  request.nearest_limit = parameters.number("nearest_limit");
+  request.escape = parameters.number("escape");
+  request.closest = ask.closest;
   request.explain = ask.explain;
   request.from_field = ask.from_field;
   request.keep = ask.keep;
@@ -122,6 +125,11 @@ void put_answer(PlanResult& result, const wend::PlanAnswer& answer, const std::s
   result.path = to_message(plan.path, frame, frame_id);
   result.cost = plan.cost;
   result.bound = plan.bound;
+  if (answer.lead_out) {
+    result.lead_out = answer.lead_out->length;
+    result.lead_out_poses = static_cast<std::uint32_t>(answer.lead_out->points);
+  }
+  result.remaining = answer.remaining.value_or(0);
   for (const std::string_view move : plan.moves) result.moves.emplace_back(move);
   result.path_metrics = metrics_message(plan.path, answer.space);
   if (answer.refined) result.smoothed = to_message(answer.refined->path, frame, frame_id);
@@ -192,6 +200,8 @@ wend::SessionOptions session_options() {
                     .squeeze = "~connectivity 8 and ~corner_rule both",
                     .robot_radius = "~robot_radius",
                     .nearest = "`nearest` in the request",
+                    .nearest_limit = "~nearest_limit",
+                    .escape = "~escape",
                     .limit_seconds = "~time_limit"},
           .clock = wend::thread_cpu_seconds};
 }

@@ -90,11 +90,17 @@ TEST(Planning, StampsTheTrajectoryByItsLimits) {
   EXPECT_NEAR((later.poses.back().header.stamp - poses.back().header.stamp).toSec(), 100, 1e-6);
 }
 
+Parameters without_escape() {
+  Parameters parameters;
+  EXPECT_EQ(parameters.set("escape", "0"), "");
+  return parameters;
+}
+
 TEST(Planning, TellsWhyThereIsNoPlan) {
   Planning planning;
   EXPECT_EQ(planning.answer({}, ask({-1, 1, 0}, {9, 1, 0})).status, 203);
   EXPECT_EQ(planning.answer({}, ask({1, 1, 0}, {9, 11, 0})).status, 204);
-  EXPECT_EQ(planning.answer({}, ask({5.05, 1, 0}, {9, 1, 0})).status, 205);
+  EXPECT_EQ(planning.answer(without_escape(), ask({5.05, 1, 0}, {9, 1, 0})).status, 205);
   const PlanResult blocked = planning.answer({}, ask({1, 1, 0}, {5.05, 1, 0}));
   EXPECT_EQ(blocked.status, 206);
   EXPECT_NE(blocked.reason.find("obstacle"), std::string::npos) << blocked.reason;
@@ -114,7 +120,7 @@ TEST(Planning, SaysWhereARobotWithAHeadingFits) {
   Planning planning;
   Ask blocked = ask({5.05, 1.05, 0}, {9.05, 1.05, 0});
   blocked.planner = "lattice";
-  const PlanResult refused = planning.answer({}, blocked);
+  const PlanResult refused = planning.answer(without_escape(), blocked);
   ASSERT_EQ(refused.status, 205);
   ASSERT_EQ(refused.nearest_start.size(), 1U);
   EXPECT_NE(refused.reason.find("it fits is at (4.95,1.05) m, cell (49,10): `nearest_start`"),
@@ -165,17 +171,37 @@ TEST(Planning, OfSeveralGoalsEndsWithTheHeadingOfTheOneThatItReaches) {
 TEST(Planning, NamesTheNearestFreePoseAndPlansFromIt) {
   Planning planning;
   Ask blocked = ask({5.05, 1.05, 1}, {9.05, 1.05, 0});
-  const PlanResult refused = planning.answer({}, blocked);
+  const PlanResult refused = planning.answer(without_escape(), blocked);
   ASSERT_EQ(refused.status, 205);
   ASSERT_EQ(refused.nearest_start.size(), 1U);
   EXPECT_TRUE(refused.nearest_goal.empty());
   EXPECT_NEAR(refused.nearest_start.front().position.x, 4.95, 1e-9);
   EXPECT_NEAR(pose_from(refused.nearest_start.front())->heading, 1, 1e-9);
   blocked.nearest = true;
-  const PlanResult moved = planning.answer({}, blocked);
+  const PlanResult moved = planning.answer(without_escape(), blocked);
   ASSERT_EQ(moved.status, 0) << moved.reason;
   EXPECT_NE(moved.reason.find("planning from"), std::string::npos) << moved.reason;
   EXPECT_NEAR(moved.path.poses.front().pose.position.x, 4.95, 1e-9);
+}
+
+TEST(Planning, BeginsWithAWayOut) {
+  Planning planning;
+  const PlanResult led = planning.answer({}, ask({5.05, 1.05, 0}, {9.05, 1.05, 0}));
+  ASSERT_EQ(led.status, 0) << led.reason;
+  EXPECT_NEAR(led.lead_out, 0.1, 1e-9);
+  EXPECT_EQ(led.lead_out_poses, 1U);
+  EXPECT_EQ(led.remaining, 0);
+  EXPECT_NEAR(led.path.poses.front().pose.position.x, 5.05, 1e-9);
+}
+
+TEST(Planning, EndsAtTheClosestPlaceIfAsked) {
+  Planning planning;
+  Ask into_the_wall = ask({1.05, 1.05, 0}, {5.05, 1.05, 0});
+  EXPECT_EQ(planning.answer({}, into_the_wall).status, 206);
+  into_the_wall.closest = true;
+  const PlanResult closest = planning.answer({}, into_the_wall);
+  ASSERT_EQ(closest.status, 0) << closest.reason;
+  EXPECT_NEAR(closest.remaining, 0.1, 1e-9);
 }
 
 TEST(Planning, EndsWithinTheToleranceOfTheParameters) {

@@ -20,6 +20,8 @@ wend::SessionOptions session_options() {
                     .squeeze = "connectivity: \"8\" and corner_rule: both",
                     .robot_radius = "a robot_radius of the costmap of",
                     .nearest = "nearest: true",
+                    .nearest_limit = "nearest_limit:",
+                    .escape = "escape:",
                     .limit_seconds = "time_limit"}};
 }
 
@@ -75,12 +77,14 @@ wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan(const PathRequest&
   }
   auto exact = plan_within(request, 0, watch);
   const double tolerance = settings_.plugin.tolerance;
-  if (exact || tolerance == 0 || !may_end_nearby(exact.error().kind)) return exact;
+  if (exact || !may_end_nearby(exact.error().kind)) return exact;
   for (const double share : {0.25, 0.5, 1.0}) {
+    if (tolerance == 0) break;
     auto near = plan_within(request, share * tolerance, watch);
     // What was cancelled or ran out of time has not shown that there is no path.
     if (near || !may_end_nearby(near.error().kind)) return near;
   }
+  if (settings_.plugin.closest) return plan_within(request, 0, watch, true);
   return exact;
 }
 
@@ -98,7 +102,7 @@ wend::Expected<void, Failure> PathPlanner::prepare(const RobotShape& robot) {
 }
 
 wend::PlanRequest PathPlanner::request_of(const PathRequest& request, double tolerance,
-                                          Watch& watch) const {
+                                          Watch& watch, bool closest) const {
   const PluginOptions& plugin = settings_.plugin;
   wend::PlanRequest made{
       .start = request.start,
@@ -109,6 +113,9 @@ wend::PlanRequest PathPlanner::request_of(const PathRequest& request, double tol
       .planner = {settings_.planner, settings_.options},
       .limits = {.clock = [&watch] { return watch.read(); }, .cancel = &watch.stop},
       .nearest = plugin.nearest,
+      .nearest_limit = plugin.nearest_limit,
+      .escape = plugin.escape,
+      .closest = closest,
       // The failure of the query itself is what is reported. An explanation takes time.
       .explain = plugin.explain && tolerance == 0};
   made.keep = plugin.keep;
@@ -120,14 +127,14 @@ wend::PlanRequest PathPlanner::request_of(const PathRequest& request, double tol
 }
 
 wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan_within(const PathRequest& request,
-                                                                     double tolerance,
-                                                                     Watch& watch) {
+                                                                     double tolerance, Watch& watch,
+                                                                     bool closest) {
   const double now = watch.read();
   if (watch.stop) return no_path(FailureKind::cancelled, "planning was cancelled");
   if (now >= watch.end) {
     return no_path(FailureKind::timed_out, "the time limit passed before the search");
   }
-  const wend::PlanRequest made = request_of(request, tolerance, watch);
+  const wend::PlanRequest made = request_of(request, tolerance, watch, closest);
   const auto answer = settings_.plugin.replan ? session_.replan(made) : session_.plan(made);
   if (!answer) {
     return wend::Unexpected<Failure>(

@@ -103,8 +103,8 @@ RC_GTEST_PROP(PathPlanner, FindsAPathOfFreeCellsIfThereIsOneAndSaysWhyElse, ()) 
   const int gy = *rc::gen::inRange(0, height);
   const auto name =
       *rc::gen::elementOf(std::vector<std::string>{"astar", "jps", "theta_star", "any_angle"});
-  const auto planned = plan_once(inscribed(name, {{"tolerance", "0"}}), map, middle_of(map, sx, sy),
-                                 middle_of(map, gx, gy));
+  const auto planned = plan_once(inscribed(name, {{"tolerance", "0"}, {"escape", "0"}}), map,
+                                 middle_of(map, sx, sy), middle_of(map, gx, gy));
   if (map.at(sx, sy) >= 253) {
     RC_ASSERT(kind_of(planned) == "start_occupied");
   } else if (map.at(gx, gy) >= 253) {
@@ -157,7 +157,8 @@ TEST(PathPlanner, NeverTakesABoxedInStartForAnOccupiedOne) {
   });
   const wend::MapPose free = middle_of(map, 8, 2);
   const auto kind = [&](const wend::MapPose& start, const wend::MapPose& goal) {
-    return kind_of(plan_once(inscribed("astar", {{"tolerance", "0"}}), map, start, goal));
+    return kind_of(
+        plan_once(inscribed("astar", {{"tolerance", "0"}, {"escape", "0"}}), map, start, goal));
   };
   EXPECT_EQ(kind(middle_of(map, 2, 1), free), "no_valid_path");
   EXPECT_EQ(kind(middle_of(map, 4, 1), free), "start_occupied");
@@ -212,6 +213,49 @@ TEST(PathPlanner, EndsNearAGoalThatCannotBeReachedIfItMay) {
     EXPECT_LE(distance(planned->back().point(), goal.point()), 0.4 + 1e-9);
     EXPECT_LT(cost_at(map, planned->back()), 253);
   }
+}
+
+TEST(PathPlanner, BeginsWithAWayOutOfWhatBlocksTheStart) {
+  const Costmap map = costmap_of({
+      "............",  //
+      "............",  //
+      "###.........",  //
+      "###.........",  //
+      "###.........",
+  });
+  const wend::MapPose goal = middle_of(map, 9, 3);
+  for (const std::string name : {"astar", "theta_star", "hybrid_astar", "lattice"}) {
+    SCOPED_TRACE(name);
+    const auto kind = [&](int x, const std::string& escape) {
+      return kind_of(plan_once(settings_of(name, {{"tolerance", "0"}, {"escape", escape}}), map,
+                               middle_of(map, x, 1), goal));
+    };
+    EXPECT_EQ(kind(2, "0"), "start_occupied");
+    EXPECT_EQ(kind(2, "0.3"), "found");
+    EXPECT_EQ(kind(0, "0.05"), "start_occupied");
+  }
+  EXPECT_EQ(kind_of(plan_once(settings_of("astar"), map, middle_of(map, 2, 1), goal)), "found")
+      << "0.25 m by default";
+}
+
+TEST(PathPlanner, EndsAtTheClosestPlaceIfItMay) {
+  const Costmap map = costmap_of({
+      "............",  //
+      ".....#####..",  //
+      ".....#...#..",  //
+      ".....#####..",  //
+      "............",
+  });
+  const wend::MapPose start = middle_of(map, 0, 2);
+  const wend::MapPose goal = middle_of(map, 7, 2);
+  const auto planned = [&](const std::string& closest) {
+    return plan_once(settings_of("astar", {{"tolerance", "0.1"}, {"closest", closest}}), map, start,
+                     goal);
+  };
+  EXPECT_EQ(kind_of(planned("false")), "no_valid_path");
+  const auto found = planned("true");
+  ASSERT_EQ(kind_of(found), "found");
+  EXPECT_LT(distance(found->back().point(), goal.point()), 0.31);
 }
 
 TEST(PathPlanner, AnsweringAfterChangesIsAnsweringAnew) {

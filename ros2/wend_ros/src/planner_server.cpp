@@ -103,9 +103,10 @@ NodeSettings settings_of(rclcpp::Node& node) {
     return fixed(node, name, rclcpp::ParameterValue(default_value), help);
   };
   const auto radius = value("robot_radius", defaults.robot_radius, "radius of the robot, m");
-  const auto corners = value("footprint", defaults.footprint,
-                             "corners x1, y1, x2, y2, ... in metres, or a text such as rect:0.8x0.5,0.2, in place of "
-                             "the radius");
+  const auto corners = value(
+      "footprint", defaults.footprint,
+      "corners x1, y1, x2, y2, ... in metres, or a text such as rect:0.8x0.5,0.2, in place of "
+      "the radius");
   const auto occupied = value("occupied_from", defaults.occupied_from,
                               "values of the map from here on are obstacles");
   const auto frame = value("robot_frame", defaults.robot_frame, "frame of the robot");

@@ -107,7 +107,12 @@ Expected<SpeedScale, Error> take_speed_scale(std::string_view& text) {
 
 Expected<LoadedMap, Error> load_mask(const std::filesystem::path& file,
                                      const MaskReading& reading) {
-  return reading.kind == MaskKind::keepout ? load_map(file) : load_speed_mask(file, reading.speed);
+  if (reading.kind == MaskKind::speed) return load_speed_mask(file, reading.speed);
+  auto loaded = load_map(file);
+  if (!loaded) return loaded;
+  BitGrid zone = loaded->map.occupied();
+  if (zone.count() > 0) loaded->map.add_zone({file.string(), std::move(zone)});
+  return loaded;
 }
 
 Expected<MaskSpec, Error> parse_mask_spec(std::string_view text) {

@@ -137,6 +137,20 @@ std::unique_ptr<LatticeEngine<CarLattice>> make_anytime_engine(const CarLattice&
       weights);
 }
 
+std::vector<LeavingMotion> leaving_motions(const CarLattice& lattice, const CornerPose& place) {
+  std::vector<LeavingMotion> motions;
+  for (int number = 0; number < kCarMoves; ++number) {
+    const CornerPose after = moved(place, static_cast<CarMove>(number));
+    const Cell vertex = after.vertex;
+    if (vertex.x < 0 || vertex.y < 0 || vertex.x >= lattice.columns() ||
+        vertex.y >= lattice.rows()) {
+      continue;
+    }
+    motions.push_back({{segment_between(lattice.to_grid(place), lattice.to_grid(after))}});
+  }
+  return motions;
+}
+
 void write_drive(const CarLattice& lattice, std::span<const CornerPose> places, Plan& out) {
   const Frame& frame = lattice.free_space().map().frame();
   for (std::size_t i = 1; i < places.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
+#include "wend/robot/zone_name.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {
@@ -79,6 +80,10 @@ std::string blocked(const CarLattice& lattice, const End& end) {
   switch (fault->reason) {
     case BlockReason::obstacle:
     case BlockReason::unknown:
+      if (const auto mask = mask_that_blocks(lattice.free_space(), fault->cell.value_or(Cell{}))) {
+        return text + "cell " + text_of(fault->cell.value_or(Cell{})) +
+               " next to it is blocked by " + *mask;
+      }
       return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " next to it is " + reason;
     case BlockReason::too_close:
       return text + "the nearest obstacle is " + away;

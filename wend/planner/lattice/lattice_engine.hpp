@@ -7,9 +7,11 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/lattice/lattice_options.hpp"
+#include "wend/planner/leaving_motion.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/search_engine.hpp"
 #include "wend/search/anytime_search.hpp"
@@ -72,6 +74,10 @@ std::unique_ptr<LatticeEngine<CarLattice>> make_anytime_engine(const CarLattice&
 std::unique_ptr<LatticeEngine<MotionLattice>> make_anytime_engine(const MotionLattice& lattice,
                                                                   LatticeHeuristic heuristic,
                                                                   AnytimeWeights weights);
+
+/// The motions that leave a place and stay on the lattice, whether the robot fits along them or not.
+std::vector<LeavingMotion> leaving_motions(const CarLattice& lattice, const CornerPose& place);
+std::vector<LeavingMotion> leaving_motions(const MotionLattice& lattice, const LatticePose& place);
 
 /// Sets the cost of a path through these places and the names of its moves. The path has a pose for each place,
 /// and may get more between them.

@@ -169,6 +169,18 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
     return rest;
   }
 
+  std::optional<Pose> do_place_of(const Pose& pose) const override {
+    if (!lattice_ || !is_near_a_map(Goal(pose))) return std::nullopt;
+    const auto place = lattice_->place_on(pose);
+    if (!place) return std::nullopt;
+    return lattice_->to_grid(*place);
+  }
+
+  std::vector<LeavingMotion> do_motions_from(const Pose& from, double /*most*/) const override {
+    const auto place = lattice_ ? lattice_->place_on(from) : std::nullopt;
+    return place ? leaving_motions(*lattice_, *place) : std::vector<LeavingMotion>();
+  }
+
   /// The pose at which a plan from this start would begin, if it is on the path; else the nearest one, if it is near.
   std::optional<PlaceOnDrive> place_on_path(std::span<const Pose> poses, const Pose& start,
                                             std::size_t passed) const {

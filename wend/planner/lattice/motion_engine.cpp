@@ -10,6 +10,7 @@
 #include "wend/planner/anytime_engine.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
+#include "wend/robot/zone_name.hpp"
 #include "wend/search/frontiers.hpp"
 #include "wend/search/paged_nodes.hpp"
 #include "wend/space/lattice/motion_steps.hpp"
@@ -80,8 +81,11 @@ std::string blocked(const MotionLattice& lattice, const std::string& name, const
   if (!place) return {};
   const Pose taken = lattice.to_grid(*place);
   const auto reason = lattice.free_space().why_blocked(taken);
+  const auto mask = reason == BlockReason::obstacle
+                        ? mask_that_blocks(lattice.free_space(), cell_at(taken.point()))
+                        : std::nullopt;
   return "the robot does not fit at the " + name + " " + text_of(taken) + " of the lattice" +
-         (reason ? ": " + std::string(describe(*reason)) : "");
+         (reason ? ": " + (mask ? "blocked by " + *mask : std::string(describe(*reason))) : "");
 }
 
 }  // namespace
@@ -100,6 +104,22 @@ std::unique_ptr<LatticeEngine<MotionLattice>> make_anytime_engine(const MotionLa
   return std::make_unique<AnytimeMotionEngine>(
       MotionSpace(lattice), MotionPriority(MotionEstimates(lattice, heuristic), weights.first),
       weights);
+}
+
+std::vector<LeavingMotion> leaving_motions(const MotionLattice& lattice, const LatticePose& place) {
+  std::vector<LeavingMotion> motions;
+  const Cell cell = lattice.cell_of(place.vertex);
+  for (const LatticeStep& step : lattice.leaving(place.heading)) {
+    if (!lattice.contains({place.vertex.x + step.by.x, place.vertex.y + step.by.y})) continue;
+    LeavingMotion& motion = motions.emplace_back();
+    Pose from = lattice.to_grid(place);
+    for (const Pose& pose : step.poses) {
+      const Pose to{cell.x + pose.x, cell.y + pose.y, pose.heading};
+      motion.segments.push_back(segment_between(from, to));
+      from = to;
+    }
+  }
+  return motions;
 }
 
 /// The path gets the segments of the steps.

@@ -154,6 +154,37 @@ std::optional<Point> HybridPlanner::do_nearest_free(const Goal& goal) const {
   return centre_of(*cell);
 }
 
+std::optional<Pose> HybridPlanner::do_place_of(const Pose& pose) const {
+  if (!std::isfinite(pose.heading) || !cell_under(free_space(), pose.point())) return std::nullopt;
+  return pose;
+}
+
+/// Straight ahead and back, and what the robot has besides: arcs of its radius up to a quarter turn, turns in place by
+/// tens of degrees, moves to the sides.
+std::vector<LeavingMotion> HybridPlanner::do_motions_from(const Pose& place, double most) const {
+  constexpr double kQuarter = kPi / 2;
+  const DriveKind model = steering_.model();
+  std::vector<LeavingMotion> motions;
+  const auto add = [&](const Motion& motion, bool ends_anywhere) {
+    motions.push_back({{segment_of(place, motion)}, ends_anywhere});
+  };
+  for (const int gear : {1, -1}) {
+    if (gear < 0 && model == DriveKind::dubins) break;
+    add({gear * most, 0, 0}, true);
+    if (model == DriveKind::reeds_shepp || model == DriveKind::dubins) {
+      const double turn = std::min(most / steering_.radius(), kQuarter);
+      for (const int side : {1, -1}) add({gear * turn * steering_.radius(), side * turn}, true);
+    }
+    if (model == DriveKind::omni) add({most, 0, gear * kQuarter}, true);
+  }
+  if (model != DriveKind::differential && model != DriveKind::omni) return motions;
+  constexpr int kTurns = 9;  // to each side, up to a quarter turn
+  for (int i = 1; i <= kTurns; ++i) {
+    for (const int side : {1, -1}) add({0, side * kQuarter * i / kTurns}, false);
+  }
+  return motions;
+}
+
 Status HybridPlanner::do_plan(const Query& query, Plan& out) {
   if (!search_) {
     constexpr double kSpacing = 4;  // of the poses between which a drive is shortened, in steps

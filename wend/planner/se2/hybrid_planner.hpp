@@ -34,6 +34,8 @@ class HybridPlanner final : public Planner {
   std::optional<Point> do_nearest_free(const Goal& goal) const override;
   std::optional<Plan> do_rest_of(const Path& path, const Query& query,
                                  std::size_t& passed) const override;
+  std::optional<Pose> do_place_of(const Pose& pose) const override;
+  std::vector<LeavingMotion> do_motions_from(const Pose& place, double most) const override;
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(const SpaceChange& change) override;
   void do_release() override;

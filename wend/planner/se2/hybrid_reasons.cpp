@@ -10,6 +10,7 @@
 #include "wend/geometry/trigonometry.hpp"
 #include "wend/robot/contact.hpp"
 #include "wend/robot/near_map.hpp"
+#include "wend/robot/zone_name.hpp"
 
 namespace wend {
 namespace {
@@ -96,6 +97,9 @@ std::string why_blocked(const FreeSpace& space, const Pose& pose) {
   const double radius = space.radius_in_cells();
   switch (*reason) {
     case BlockReason::obstacle:
+      if (const auto mask = mask_that_blocks(space, cell)) {
+        return ": its base point lies in a cell that " + *mask + " blocks";
+      }
       return ": its base point lies in an obstacle cell";
     case BlockReason::unknown:
       return ": its base point lies in an unknown cell";

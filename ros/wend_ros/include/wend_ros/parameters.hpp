@@ -16,7 +16,9 @@
 //   time_limit      s, 0: none               rough          values below the threshold cost more
 //   cost_factor     how much more
 //   goal_tolerance  m, where a path may end  goal_heading_tolerance   rad
-//   nearest         moves blocked ends       replan_on_change   never, ahead or always
+//   nearest         moves blocked ends       nearest_limit      m, how far
+//   escape          m, the longest way out   closest            ends near goals that no path reaches
+//   replan_on_change                         never, ahead or always
 //   smooth, smooth_alpha, smooth_beta        smooth the path
 
 #include <dynamic_reconfigure/Config.h>

@@ -29,6 +29,7 @@ struct Ask {
   bool from_field = false;
   bool nearest = false;  // moves blocked ends to the nearest free cells
   double keep = 0;       // above 0: as wend::Session::replan() with PlanRequest::keep
+  bool closest = false;  // ends at the reachable place nearest to a goal that no path reaches
   bool explain = true;   // why there is no path, at length, which may take longer than the search
 };
 

@@ -55,8 +55,9 @@ class PathPlanner {
 
   wend::Expected<void, Failure> prepare(const RobotShape& robot);
   wend::Expected<Poses, Failure> plan_within(const PathRequest& request, double tolerance,
-                                             Watch& watch);
-  wend::PlanRequest request_of(const PathRequest& request, double tolerance, Watch& watch) const;
+                                             Watch& watch, bool closest = false);
+  wend::PlanRequest request_of(const PathRequest& request, double tolerance, Watch& watch,
+                               bool closest) const;
   Poses poses_of(const wend::PlanAnswer& answer, const PathRequest& request) const;
 
   wend::Session session_;

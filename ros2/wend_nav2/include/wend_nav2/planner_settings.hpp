@@ -43,6 +43,9 @@ struct PluginOptions {
   double tolerance = 0.5;
   double heading_tolerance = 0;
   bool nearest = false;
+  double nearest_limit = 0.5;
+  double escape = 0.25;
+  bool closest = false;
   bool smooth = true;
   bool replan = false;
   double keep = 0;
@@ -65,6 +68,17 @@ struct PluginOptions {
           self.heading_tolerance, {0, 3.2});
     field({"nearest", "move a blocked start or goal to the nearest place that is free"},
           self.nearest);
+    field({"nearest_limit", "how far nearest moves a start or goal at most, m"}, self.nearest_limit,
+          {0, 100});
+    field(
+        {"escape",
+         "if the robot does not fit at the start: the longest way out that a path may begin with, "
+         "m; 0: none"},
+        self.escape, {0, 10});
+    field({"closest",
+           "if no path reaches the goal within the tolerance: plan to the reachable place nearest "
+           "to it"},
+          self.closest);
     field({"smooth", "smooth the paths of planners on cells"}, self.smooth);
     field({"replan", "keep what a search found for the next call, and repair it after changes"},
           self.replan);

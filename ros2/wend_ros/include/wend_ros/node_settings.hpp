@@ -18,7 +18,7 @@ namespace wend_ros {
 struct NodeSettings {
   double robot_radius = 0.2;  // m
   std::vector<double> footprint =
-      {};  // x1, y1, x2, y2, ... in metres, in place of the radius; empty: none
+      {};                  // x1, y1, x2, y2, ... in metres, in place of the radius; empty: none
   std::string shape = {};  // the same parameter as a text, "rect:0.8x0.5,0.2"; empty: none
   std::int64_t occupied_from = 65;  // 1 to 100
   std::string robot_frame = "base_link";

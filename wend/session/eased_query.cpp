@@ -1,0 +1,135 @@
+#include "wend/session/eased_query.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/compass.hpp"
+#include "wend/session/closest_place.hpp"
+
+namespace wend {
+namespace {
+
+bool has_no_path_to_goals(Status status) {
+  return status == Status::goal_outside || status == Status::goal_blocked ||
+         status == Status::unreachable;
+}
+
+/// A planner's own limit ended the search, not one of the query.
+bool gave_up(Status status, const Limits& limits) {
+  const Limits none;
+  return (status == Status::time_limit && limits.seconds == none.seconds) ||
+         (status == Status::expansion_limit && limits.expansions == none.expansions);
+}
+
+}  // namespace
+
+Ends ends_of(const Query& query, const Units& units) {
+  Ends ends{units.place("start", query.start.point()), {}};
+  for (const Goal& goal : query.goals) ends.goals.push_back(units.place("goal", goal.point));
+  return ends;
+}
+
+EasedQuery::EasedQuery(Query query, Planner& planner, const Explainer& explainer,
+                       const Units& units, const Leeway& leeway)
+    : query_(std::move(query)),
+      planner_(planner),
+      explainer_(explainer),
+      units_(units),
+      leeway_(leeway),
+      asked_start_(query_.start),
+      asked_goals_(query_.goals) {
+  if (leeway_.escape > 0) lead_start_out();
+  if (leeway_.nearest) move_ends();
+  if (leeway_.closest) remaining_ = 0;
+}
+
+/// "the start (3,4) is blocked: the cell is an obstacle"
+std::string EasedQuery::why_blocked(const Query& query) const {
+  if (!planner_.grid_moves()) return planner_.reason(query, Status::start_blocked);
+  return explainer_.blocked(units_.place("start", query.start.point()));
+}
+
+void EasedQuery::lead_start_out() {
+  if (query_.goals.empty() || !is_blocked_start(planner_, query_.start)) return;
+  const Frame& frame = units_.frame();
+  auto way = way_out(planner_, query_.start, leeway_.escape_in_cells(frame));
+  if (!way) return;
+  lead_ = std::move(way->path);
+  lead_out_ = LeadOut{way->length * frame.resolution, lead_.size() - 1, why_blocked(query_)};
+  const Pose heading = lead_.driven() ? lead_.driven_poses().back()
+                                      : pose_at(lead_.cells().back(), query_.start.heading);
+  notes_.push_back(lead_out_->reason + "; the path begins with a way out of " +
+                   units_.length(way->length) + ", to " + units_.text(heading.point()));
+  query_.start = heading;
+}
+
+void EasedQuery::move_ends() {
+  const Query before = query_;
+  std::vector<std::string> notes;
+  if (planner_.grid_moves()) {
+    Ends ends = ends_of(query_, units_);
+    const Ends asked = ends;
+    notes = explainer_.move_to_nearest(ends);
+    if (ends.start.cell != asked.start.cell) query_.start = pose_at(ends.start.cell);
+    for (std::size_t i = 0; i < ends.goals.size(); ++i) {
+      const Cell cell = ends.goals[i].cell;
+      if (cell != asked.goals[i].cell) query_.goals[i].point = centre_of(cell);
+    }
+  } else {
+    notes = explainer_.move_to_nearest(query_, planner_);
+  }
+  start_moved_ = query_.start != before.start;
+  notes_.insert(notes_.end(), notes.begin(), notes.end());
+}
+
+bool EasedQuery::ease_goals(Status status) {
+  const bool wanted = leeway_.closest || leeway_.nearest;
+  if (!wanted || goals_eased_ || (status == Status::goal_outside && !leeway_.closest)) return false;
+  if (!has_no_path_to_goals(status) && !gave_up(status, query_.limits)) return false;
+  const double most = leeway_.closest ? std::numeric_limits<double>::infinity()
+                                      : leeway_.nearest_in_cells(units_.frame());
+  Query asked = query_;
+  asked.goals = asked_goals_;
+  auto places = closest_places(planner_, asked, most);
+  if (!places) return false;
+  query_.goals = std::move(places->goals);
+  goals_eased_ = true;
+  return true;
+}
+
+void EasedQuery::finish(Plan& plan) {
+  if (lead_out_) {
+    const Pose first = lead_.poses().front();
+    if (lead_.driven()) {
+      plan.start_snapping_error = {
+          distance(first.point(), asked_start_.point()),
+          std::abs(normalized_angle(first.heading - asked_start_.heading))};
+    }
+  }
+  if (!goals_eased_) return;
+  const Point end = plan.path.points().back();
+  remaining_ = distance_to_goals(end, asked_goals_);
+  notes_.push_back("no path reaches " +
+                   (asked_goals_.size() == 1
+                        ? "the goal " + units_.text(asked_goals_.front().point)
+                        : "any of the " + std::to_string(asked_goals_.size()) + " goals") +
+                   "; planning to the closest reachable place " + units_.text(end) + ", " +
+                   units_.length(*remaining_) + " away");
+}
+
+void begin_with(const Path& lead, Plan& plan, const Frame& frame) {
+  if (lead.empty()) return;
+  if (lead.driven() && !plan.moves.empty()) {
+    const auto poses = lead.driven_poses();
+    std::vector<std::string_view> names;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+      names.push_back(name_of(segment_between(poses[i - 1], poses[i]), frame));
+    }
+    plan.moves.insert(plan.moves.begin(), names.begin(), names.end());
+  }
+  plan.path = joined(lead, plan.path);
+}
+
+}  // namespace wend
