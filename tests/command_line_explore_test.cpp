@@ -72,6 +72,13 @@ TEST_F(ExploreCommand, DrivesWithEachPlannerAndTellsWhatItTook) {
   EXPECT_EQ(report.at("drives")[1].at("planner"), "astar:leaps=false");
 }
 
+TEST_F(ExploreCommand, ArrivesWhileItKeepsItsPath) {
+  const Outcome outcome = wend({"explore", map_, "--start", "2,2", "--goal", "0,0",
+                                "--sensor-range", "2", "--keep", "1", "--replan", "discovery"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("replanner"));
+}
+
 TEST_F(ExploreCommand, PlansOnceOnAKnownMap) {
   const Outcome outcome = wend(
       {"explore", map_, "--known", map_, "--start", "2,2", "--goal", "0,0", "--format", "csv"});
@@ -103,6 +110,7 @@ TEST_F(ExploreCommand, SaysWhatIsWrong) {
               HasSubstr("an explorer steps from cell to cell, which theta_star does not"));
   EXPECT_THAT(error({"--planner", "replanner:weight=2"}), HasSubstr("weight"));
   EXPECT_THAT(error({"--sensor-range", "0.5"}), HasSubstr("at least 1 cell"));
+  EXPECT_THAT(error({"--keep", "nan"}), HasSubstr("--keep"));
   EXPECT_THAT(error({"--replan", "never"}), AllOf(HasSubstr("path"), HasSubstr("discovery")));
   EXPECT_THAT(error({"--known", folder_.write("small.txt", "..\n")}),
               HasSubstr("the known map has 2 x 1 cells, the true one 10 x 5"));
