@@ -417,6 +417,16 @@ const std::vector<Door>& doors_of_poses() {
                             component_size(space, cell) > 0;
          return std::string(found ? "a way to nowhere" : "");
        }},
+      {"explain_no_drive",
+       [](Random& random, const FreeSpace& space) {
+         Query query{{1.5, 1.5, 0}, {Goal(Pose{15.5, 6.5, 0})}};
+         HybridAStarOptions options;
+         Goal& goal = query.goals.front();
+         spoil<7>(random, {&query.start.x, &query.start.heading, &goal.point.y, &*goal.heading,
+                           &goal.tolerance, &goal.heading_tolerance, &options.turning_radius});
+         const auto why = explain_no_drive(space, query, options, 50);
+         return std::string(!why && why.error().message.empty() ? "no reason" : "");
+       }},
       {"CostToGo",
        [](Random& random, const FreeSpace& space) {
          const std::array goals{absurd_cell(random, space)};
@@ -514,7 +524,7 @@ const std::vector<Door>& doors_of_robots_and_maps() {
          for (int y = 0; y < states.height(); ++y) states[{9, y}] = CellState::unknown;
          const auto map = make_grid_map(states, frame);
          if (!map) return check(map);
-         Session session(*map);
+         Session session(*map, {.footprint = Footprint::disc(random.chance(0.5) ? 0.2 : 0)});
          return check(session.plan(
              {frame.to_metres(Pose{1.5, 1.5, 0}), {{frame.to_metres(Point{15.5, 6.5})}}}));
        }},

@@ -34,6 +34,7 @@
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/outline_poses.hpp"
 #include "wend/path/path_collision.hpp"
+#include "wend/path/path_fault.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
 #include "wend/path/simplification.hpp"
@@ -50,6 +51,7 @@
 #include "wend/report/path_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
 #include "wend/report/text_table.hpp"
+#include "wend/robot/near_map.hpp"
 #include "wend/session/plan_request.hpp"
 
 namespace {
