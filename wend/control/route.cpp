@@ -85,6 +85,13 @@ bool jumps_between(const Segment& before, const Segment& after) {
   return std::abs(normalized_angle(jump)) > kSmallJump;
 }
 
+/// In cells: a hundredth of one, or a millimetre, where that is less: chords of large cells would lead aside.
+double chord_tolerance(const Frame& frame) {
+  constexpr double kCells = 0.01;
+  constexpr double kMetres = 0.001;
+  return std::min(kCells, kMetres / frame.resolution);
+}
+
 bool is_aside(const Segment& segment) { return std::abs(segment.course) > kSmallJump; }
 
 /// Does a leg end between two segments that no turn in place separates?
@@ -104,7 +111,7 @@ std::vector<RouteLeg> legs_along(const JoinedPoses& joined, const Frame& frame) 
   bool turns = false;  // before the next segment
   const auto end_leg = [&] {
     if (arcs.empty()) return;
-    const Polyline line = polyline_of(arcs);
+    const Polyline line = polyline_of(arcs, chord_tolerance(frame));
     legs.push_back(
         {in_metres(line.points(), frame, false), before->length < 0, turn_first, course});
     arcs.clear();

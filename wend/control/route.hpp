@@ -63,9 +63,9 @@ class WEND_API Route {
   static bool can_hold(double heading);
 
   /// The route of a path (not empty) in grid coordinates. A path of poses has a leg for each stretch
-  /// between reversals and turns in place, however small, its arcs within 0.01 cells, and ends with a heading.
-  /// `closed` is for laps: a straight line, driven forwards, joins the end to the start. A path with a place
-  /// that no route can hold gives a route that is not valid().
+  /// between reversals and turns in place, however small, its arcs within 0.01 cells and a millimetre, and
+  /// ends with a heading. `closed` is for laps: a straight line, driven forwards, joins the end to the start.
+  /// A path with a place that no route can hold gives a route that is not valid().
   Route(const Path& path, const Frame& frame, bool closed = false);
 
   /// A route of these legs, at least one. `final_heading` is the heading at the end, if one is asked for.
