@@ -188,7 +188,7 @@ def test_smooth_trajectory_and_follow() -> None:
 
 
 def test_follow_turns_to_the_heading_of_the_goal() -> None:
-    plan = room().plan((0.55, 0.55, 0), (1.25, 0.75, 2.5), "hybrid_astar", motion_model="differential")
+    plan = room().plan((0.35, 0.35, 0), (0.65, 1.2, 2.5), "hybrid_astar", motion_model="differential")
     drive = wend.follow(plan)
     assert drive.outcome == "reached"
     assert abs(drive.final_heading_error) <= 0.1
