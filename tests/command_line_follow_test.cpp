@@ -104,6 +104,69 @@ TEST_F(FollowCommand, RejectsStepsToTheSide) {
   EXPECT_THAT(outcome.err, HasSubstr("the path steps to a side of the robot at cell (1,0)"));
 }
 
+/// Open ground of 20 x 20 cells; a cell is a metre.
+std::string open_ground(const TemporaryFolder& folder) {
+  std::string rows;
+  for (int i = 0; i < 20; ++i) rows += std::string(20, '.') + "\n";
+  return folder.write("ground.txt", rows);
+}
+
+TEST_F(FollowCommand, TakesTheOptionsOfPlannersAsFlags) {
+  EXPECT_EQ(follow({"--planner", "astar", "--weight", "2"}).code, 0);
+  const Outcome wrong = follow({"--motion-model", "differential"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("the planner 'astar' has no option --motion-model"));
+  const Outcome turning =
+      wend({"follow", open_ground(folder_), "--start", "4,4,E", "--goal", "12,12,N", "--planner",
+            "hybrid_astar", "--motion-model", "differential"});
+  EXPECT_EQ(turning.code, 0) << turning.err;
+  EXPECT_THAT(turning.out, HasSubstr("controller           stanley\n"));
+  const std::string file = folder_.write("line.csv", "# x_m, y_m\n1,1\n8,1\n");
+  EXPECT_THAT(follow_path(file, {"--weight", "2"}).err, HasSubstr("no path is planned"));
+}
+
+TEST_F(FollowCommand, PlansWhatABicycleCanSteer) {
+  const std::string ground = open_ground(folder_);
+  const auto drive = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"follow", ground, "--start", "4,4,E", "--goal", "7,6,W", "--planner",
+                               "hybrid_astar", "--drivetrain", "bicycle"});
+    return wend(std::move(more));
+  };
+  const Outcome told = drive({});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_THAT(told.err, HasSubstr("the planner's turning radius is 0.49 m"));
+  EXPECT_EQ(drive({"--controller", "trajectory"}).code, 0);
+  EXPECT_THAT(drive({"--turning-radius", "2"}).err, IsEmpty());
+  const Outcome tight = drive({"--turning-radius", "0.2"});
+  EXPECT_EQ(tight.code, 2);
+  EXPECT_THAT(tight.err, HasSubstr("plan it with --turning-radius 0.49 or more"));
+  const Outcome turning = drive({"--motion-model", "differential"});
+  EXPECT_EQ(turning.code, 2);
+  EXPECT_THAT(turning.err, HasSubstr("which a bicycle cannot do"));
+}
+
+TEST_F(FollowCommand, MovesAnOmniRobotToItsSides) {
+  const Outcome outcome =
+      wend({"follow", open_ground(folder_), "--start", "4,4,E", "--goal", "4,12,E", "--planner",
+            "hybrid_astar", "--motion-model", "omni", "--drivetrain", "omni", "--format", "json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_LT(json::parse(outcome.out).at("drives").at(0).at("turned_degrees").get<double>(), 10);
+}
+
+TEST_F(FollowCommand, ReachesTheGoalOnlyWhereTheRobotStandsThere) {
+  const std::string line = folder_.write("line.csv", "# x_m, y_m\n2,4\n16,4\n");
+  for (const char* controller : {"p", "p_moving", "pid", "pure_pursuit", "stanley", "trajectory"}) {
+    SCOPED_TRACE(controller);
+    const Outcome outcome =
+        wend({"follow", open_ground(folder_), "--path", line, "--speed", "2", "--latency", "0.3",
+              "--goal-tolerance", "0.05", "--controller", controller, "--format", "json"});
+    const json drive = json::parse(outcome.out).at("drives").at(0);
+    EXPECT_EQ(outcome.code == 0, drive.at("outcome") == "reached");
+    EXPECT_EQ(drive.at("outcome"), "reached");
+    EXPECT_LE(drive.at("final_error_m").get<double>(), 0.05);
+  }
+}
+
 TEST_F(FollowCommand, DrivesALap) {
   const std::string map = folder_.write(
       "open.txt", std::string(20, '.') + "\n" + [] {

@@ -6,6 +6,7 @@
 #include "tests/snippets.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/given_route.hpp"
+#include "wend/control/joining.hpp"
 #include "wend/control/nearest_ahead.hpp"
 #include "wend/control/pid.hpp"
 #include "wend/control/simulation.hpp"
@@ -131,6 +132,15 @@ TEST(Snippets, OfGivenRoute) {
   };
   followed({{2, 0, 0}, {1, 0, 0}});
   EXPECT_LT(follower.step({2, 0, 0}, 0.05).command.linear, 0) << "in reverse";
+}
+
+TEST(Snippets, OfPlaceToJoin) {
+  const wend::Route route(wend::Path::along({{0, 0}, {9, 0}}), {});
+  const wend::MapPose pose{4, 0.1, 0};
+  double metres_behind = 0;
+  const auto place = wend::place_to_join(route, pose, {.within = 1, .tie = 0.15});
+  if (place) metres_behind = place->along;  // of the leg place->leg
+  EXPECT_EQ(metres_behind, 4);
 }
 
 TEST(Snippets, OfRemainingAndSimulation) {

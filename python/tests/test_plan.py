@@ -244,6 +244,16 @@ def test_smooth_trajectory_and_follow() -> None:
             call()
 
 
+def test_follow_turns_to_the_heading_of_the_goal() -> None:
+    plan = room().plan((0.35, 0.35, 0), (0.65, 1.2, 2.5), "hybrid_astar", motion_model="differential")
+    drive = wend.follow(plan)
+    assert drive.outcome == "reached"
+    assert abs(drive.final_heading_error) <= 0.1
+    assert wend.follow(plan, follower={"heading_tolerance": 0}).outcome == "reached"
+    with pytest.raises(wend.InvalidArgument, match="which a bicycle cannot drive|tighter than the bicycle"):
+        wend.follow(plan, model={"drivetrain": "bicycle"})
+
+
 def test_index_saves_and_opens(tmp_path: Any) -> None:
     space = room()
     wend.Index.build(space, "hub_labels", threads=2).save(tmp_path / "room.idx")

@@ -276,11 +276,11 @@ class Drive(NamedTuple):
     cross_track_largest: float
     final_error: float
     """The distance from the goal at the end."""
-    final_heading_error: float
-    """The heading of the path's end minus that of the robot."""
     collisions: int
     samples: npt.NDArray[np.float64]
     """Rows of time, x, y, heading, speed, turn rate: the true state at each command."""
+    final_heading_error: float
+    """The heading of the path's end minus that of the robot."""
 
 
 @named_types

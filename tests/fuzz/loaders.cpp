@@ -8,6 +8,7 @@
 #include "checks.hpp"
 #include "forged_index.hpp"
 #include "fuzzed_c_interface.hpp"
+#include "fuzzed_follow.hpp"
 #include "fuzzed_map_updates.hpp"
 #include "fuzzed_map_yaml.hpp"
 #include "fuzzed_mask.hpp"
@@ -202,6 +203,7 @@ constexpr std::array kLoaders{
     Loader{"resample", fuzz_resample},
     Loader{"smooth", fuzz_smooth},
     Loader{"trajectory", fuzz_trajectory},
+    Loader{"follow", fuzz_follow},
 };
 
 }  // namespace

@@ -16,13 +16,15 @@ constexpr double kNoTurn = 1e-6;  // rad: a smaller one is rounding
 
 bool can_hold(const Path& path, const Frame& frame) {
   const auto holds = [&](Point point) { return Route::can_hold(frame.to_metres(point)); };
+  const auto faces = [](const Pose& pose) { return Route::can_hold(pose.heading); };
   return std::ranges::all_of(path.points(), holds) &&
-         std::ranges::all_of(path.driven_poses(),
-                             [](const Pose& pose) { return std::isfinite(pose.heading); });
+         std::ranges::all_of(path.driven_poses(), faces);
 }
 
 bool can_hold(const RouteLeg& leg) {
-  return std::ranges::all_of(leg.line.points(), &Route::can_hold);
+  return std::isfinite(leg.course) && std::ranges::all_of(leg.line.points(), [](MapPoint point) {
+           return Route::can_hold(point);
+         });
 }
 
 /// Without points that lie on top of the one before. The last point stays.
@@ -83,6 +85,13 @@ bool jumps_between(const Segment& before, const Segment& after) {
   return std::abs(normalized_angle(jump)) > kSmallJump;
 }
 
+/// In cells: a hundredth of one, or a millimetre, where that is less: chords of large cells would lead aside.
+double chord_tolerance(const Frame& frame) {
+  constexpr double kCells = 0.01;
+  constexpr double kMetres = 0.001;
+  return std::min(kCells, kMetres / frame.resolution);
+}
+
 bool is_aside(const Segment& segment) { return std::abs(segment.course) > kSmallJump; }
 
 /// Does a leg end between two segments that no turn in place separates?
@@ -102,7 +111,7 @@ std::vector<RouteLeg> legs_along(const JoinedPoses& joined, const Frame& frame) 
   bool turns = false;  // before the next segment
   const auto end_leg = [&] {
     if (arcs.empty()) return;
-    const Polyline line = polyline_of(arcs);
+    const Polyline line = polyline_of(arcs, chord_tolerance(frame));
     legs.push_back(
         {in_metres(line.points(), frame, false), before->length < 0, turn_first, course});
     arcs.clear();
@@ -191,6 +200,10 @@ std::optional<Pose> first_bend_tighter_than(double radius, const Path& path) {
   return std::nullopt;
 }
 
+bool Route::can_hold(double heading) {
+  return std::abs(heading) <= kLargestHeading;  // so not NaN
+}
+
 bool Route::can_hold(MapPoint point) {
   return std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest;  // so not NaN
 }
@@ -220,7 +233,7 @@ void Route::follow(const JoinedPoses& joined, const Frame& frame, bool closed) {
 Route::Route(std::vector<RouteLeg> legs, std::optional<double> final_heading)
     : legs_(std::move(legs)), final_heading_(final_heading) {
   assert(!legs_.empty());
-  const bool heads = !final_heading || std::isfinite(*final_heading);
+  const bool heads = !final_heading || can_hold(*final_heading);
   if (!heads || !std::ranges::all_of(legs_, [](const auto& leg) { return wend::can_hold(leg); })) {
     invalidate();
     return;

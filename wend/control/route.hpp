@@ -54,19 +54,24 @@ class WEND_API Route {
   /// Points that are no farther apart are one place: what lies between has no direction, m.
   static constexpr double kSamePlace = 1e-6;
 
+  /// A heading is no larger: more turns than that are a mistake, rad.
+  static constexpr double kLargestHeading = 1e6;
+
   /// Is it finite, and not farther than kFarthest?
   static bool can_hold(MapPoint point);
+  /// Is it finite, and no larger than kLargestHeading?
+  static bool can_hold(double heading);
 
   /// The route of a path (not empty) in grid coordinates. A path of poses has a leg for each stretch
-  /// between reversals and turns in place, however small, its arcs within 0.01 cells, and ends with a heading.
-  /// `closed` is for laps: a straight line, driven forwards, joins the end to the start. A path with a place
-  /// that no route can hold gives a route that is not valid().
+  /// between reversals and turns in place, however small, its arcs within 0.01 cells and a millimetre, and
+  /// ends with a heading. `closed` is for laps: a straight line, driven forwards, joins the end to the start.
+  /// A path with a place that no route can hold gives a route that is not valid().
   Route(const Path& path, const Frame& frame, bool closed = false);
 
   /// A route of these legs, at least one. `final_heading` is the heading at the end, if one is asked for.
   explicit Route(std::vector<RouteLeg> legs, std::optional<double> final_heading = {});
 
-  /// Can a robot drive it: is each of its numbers finite, each place one that it can hold? A route that is not
+  /// Can a robot drive it: can it hold each place and each heading? A route that is not
   /// valid has one leg, the origin.
   bool valid() const { return valid_; }
 

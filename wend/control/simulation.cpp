@@ -130,7 +130,7 @@ class Delay {
   std::size_t newest_ = 0;
 };
 
-constexpr std::size_t kMostCommands = 10'000'000;
+constexpr std::size_t kMostCommands = 1'000'000;
 
 /// Finds the first option that is not in its range.
 class RangeCheck {
@@ -189,7 +189,9 @@ class Simulation {
       note();
       outcome = outcome_of(step.state);
       if (!outcome && (drive_.time >= limit || drive_.samples.size() >= kMostCommands)) {
-        outcome = step.state == FollowerState::driving ? DriveOutcome::time : ended_in(step.state);
+        const bool failed =
+            step.state != FollowerState::driving && step.state != FollowerState::reached;
+        outcome = failed ? ended_in(step.state) : DriveOutcome::time;
       }
       if (!outcome && move(step.command)) outcome = DriveOutcome::collision;
       if (outcome == DriveOutcome::collision) note();
@@ -373,8 +375,10 @@ std::optional<Error> why_undrivable(const Path& path, const Frame& frame,
   };
   if (path.empty()) return refused("the path is empty");
   if (!Route(path, frame).valid()) {
-    return refused("the path has a number that is not finite, or is farther than " +
-                   format_number(Route::kFarthest) + " m from the origin");
+    return refused("the path has a number that is not finite, is farther than " +
+                   format_number(Route::kFarthest) +
+                   " m from the origin, or has a heading beyond " +
+                   format_number(Route::kLargestHeading) + " rad");
   }
   const auto at = [&](const Pose& pose) {
     const MapPoint point = frame.to_metres(pose).point();
