@@ -171,16 +171,20 @@ TEST_P(ClosestPose, IsTheNearestThatPlansToEveryPlaceReach) {
       EXPECT_EQ(answer->remaining, 0);
       continue;
     }
-    double least = HUGE_VAL;
+    const MapPoint goal = request.goals.front().point;
+    std::vector<std::pair<double, MapPoint>> places;
     for (int y = 0; y < (corners ? 10 : 9); ++y) {
       for (int x = 0; x < (corners ? 12 : 11); ++x) {
         const MapPoint place{x + (corners ? 0 : 0.5), y + (corners ? 0 : 0.5)};
-        each.goals = {{place}};
-        const MapPoint goal = request.goals.front().point;
-        const double away = std::hypot(place.x - goal.x, place.y - goal.y);
-        if (away < least && session.plan(each)) least = away;
+        places.emplace_back(std::hypot(place.x - goal.x, place.y - goal.y), place);
       }
     }
+    std::ranges::sort(places, {}, [](const auto& place) { return place.first; });
+    const auto nearest = std::ranges::find_if(places, [&](const auto& place) {
+      each.goals = {{place.second}};
+      return session.plan(each).has_value();
+    });
+    const double least = nearest == places.end() ? HUGE_VAL : nearest->first;
     if (least == HUGE_VAL) {
       EXPECT_FALSE(answer);
       continue;
@@ -263,7 +267,7 @@ TEST_P(Escape, BeginsWithTheWayOutAndGoesOnAsPlanned) {
     EXPECT_EQ(answer->notes.size(), 1U);
     EXPECT_NEAR(answer->lead_out->length, radius == 0 ? 2 : 3, 1.01);
     EXPECT_EQ(answer->path().points().front(), (Point{request.start.x, request.start.y}));
-    EXPECT_EQ(answer->path().points().back(), (Point{10 + off, 1 + off}));
+    EXPECT_NEAR(distance(answer->path().points().back(), {10 + off, 1 + off}), 0, 1e-6);
     const FreeSpace space = session.view()->space;
     const Path lead = lead_of(answer->path(), answer->lead_out->points);
     EXPECT_NEAR(lead.length(), answer->lead_out->length, 1e-6);

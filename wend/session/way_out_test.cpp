@@ -184,7 +184,7 @@ class DrivenWayOut : public ::testing::TestWithParam<Robot> {};
 TEST_P(DrivenWayOut, NeverGoesDeeperAndEndsWhereThePlannerBegins) {
   const Footprint box = *parse_footprint("2.2,0.8; -0.9,0.8; -0.9,-0.8; 2.2,-0.8");
   int ways = 0;
-  for (std::uint64_t seed = 1; seed <= test::share_of(60U); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(200U); ++seed) {
     Random random(seed);
     Grid<CellState> states(24, 20, CellState::free);
     for (int i = random.between(1, 14); i > 0; --i) {
