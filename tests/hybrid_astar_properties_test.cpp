@@ -278,8 +278,18 @@ TEST_P(HybridAStarPaths, CanBeDrivenBackInALongRun) { drive_back(GetParam(), kMa
 TEST_P(HybridAStarPaths, CostTheSameOnATurnedMapInALongRun) { drive_turned(GetParam(), kMany); }
 TEST_P(HybridAStarPaths, CostTheSameForALargerRobotInALongRun) { drive_larger(GetParam(), kMany); }
 
+/// Whose base point may be above an obstacle.
+class HybridAStarForks : public HybridAStarPaths {};
+
+TEST_P(HybridAStarForks, AreFreeByBruteForce) { drive_everywhere(GetParam(), share_of(kSome)); }
+TEST_P(HybridAStarForks, CostTheSameOnATurnedMap) { drive_turned(GetParam(), kSome); }
+TEST_P(HybridAStarForks, CostTheSameForALargerRobotThatFits) { drive_larger(GetParam(), kSome); }
+TEST_P(HybridAStarForks, AreFreeByBruteForceInALongRun) { drive_everywhere(GetParam(), kMany); }
+
+INSTANTIATE_TEST_SUITE_P(Footprints, HybridAStarForks, ::testing::Values(kForks));
+
 INSTANTIATE_TEST_SUITE_P(Footprints, HybridAStarPaths,
-                         ::testing::Values(kDisc, kPlainBox, kWrench, kForks));
+                         ::testing::Values(kDisc, kPlainBox, kWrench));
 
 }  // namespace
 }  // namespace wend::test

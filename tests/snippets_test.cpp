@@ -196,6 +196,9 @@ TEST(Snippets, OfFootprints) {
   if (!robot) return report(robot.error().message);
   const double radius = robot->circumscribed_radius();  // 0.47 m
   EXPECT_NEAR(radius, 0.4717, 1e-4);
+  const auto car =
+      wend::Footprint::rectangle(4.2, 1.8, 1.35);  // base point between the rear wheels
+  EXPECT_EQ(*car, *wend::parse_footprint("rect:4.2x1.8,1.35"));
   const auto box = wend::Polygon::make({{0.4, 0.25}, {-0.3, 0.25}, {-0.3, -0.25}, {0.4, -0.25}});
   ASSERT_TRUE(box);
   if (!box) return report(box.error().message);

@@ -3,15 +3,13 @@
 // DiscRing: where the base point of a robot can be that lies outside the robot's polygon. The centre of the robot's
 // inner disc is always at the same distance from it: so the base point can be in the cells on whose ring there is a cell
 // for the centre.
-//
-//   const wend::DiscRing ring(distance, wend::BasePlace::middle);
-//   ring.spread(cells_of_the_centre, false, wend::CellBox::of(possible), possible);
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/cell_box.hpp"
 #include "wend/map/bit_grid.hpp"
 
@@ -23,7 +21,7 @@ enum class BasePlace {
   anywhere,  // anywhere, also on the edge
 };
 
-class DiscRing {
+class WEND_API DiscRing {
  public:
   /// The largest ring, in cells. On a larger one every cell counts as one for the centre.
   static constexpr int kMostReach = 256;
