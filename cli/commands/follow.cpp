@@ -39,7 +39,7 @@ at least one controller reached the goal, 1 none did (standard error gives the
 reason), 2 bad usage or input.)";
 
 /// Options of planners whose flags are others here: of a smoother too, and of the noise.
-bool has_flag_of_its_own(const OptionInfo& option) {
+bool has_another_flag(const OptionInfo& option) {
   return option.name == "turning_radius" || option.name == "seed";
 }
 
@@ -189,7 +189,7 @@ Command add_follow(Parser& app) {
   arguments->drive.add_to(follow);
   for (const PlannerInfo& planner : planners()) {
     std::vector<OptionInfo> options = planner.options;
-    std::erase_if(options, has_flag_of_its_own);
+    std::erase_if(options, has_another_flag);
     arguments->options.collect(planner.name, options);
   }
   arguments->options.add_to(follow);

@@ -46,7 +46,7 @@ constexpr const char* kTurningRadius = "turning_radius";
 
 /// A controller needs a little of what the wheels can steer for itself: in whole centimetres.
 double planned_radius(double turning_radius) {
-  constexpr double kMore = 1.05;
+  constexpr double kMore = 1.1;
   return std::ceil(turning_radius * kMore * 100) / 100;
 }
 
@@ -101,10 +101,11 @@ bool FollowRun::find_path() {
 
 /// Throws InputError for what simulate() would refuse, in the map's units and with what to do.
 void FollowRun::check_drivable(const Path& path) const {
-  if (const auto aside = first_step_aside(path)) {
+  const auto aside = first_step_aside(path);
+  if (aside && robot_.drivetrain != Drivetrain::omni) {
     throw InputError(fmt::format(
-        "the path steps to a side of the robot at {}, which a robot on wheels cannot drive: plan "
-        "with motion primitives that only lead ahead, back or around",
+        "the path steps to a side of the robot at {}, which only a robot of --drivetrain omni can "
+        "do: plan with motions that only lead ahead, back or around",
         coordinates_.text(aside->point())));
   }
   if (robot_.turning_radius() == 0) return;
@@ -188,6 +189,11 @@ SampledTrajectory FollowRun::timed_path() const {
 Drive FollowRun::tracked(const TrackingGains& gains) const {
   if (simulation_.closed) {
     throw InputError("--loop does not support the controller trajectory: use pure_pursuit");
+  }
+  constexpr double kAside = 1e-6;
+  for (const Segment& way : path_.refined.path.segments()) {
+    if (std::abs(way.course) <= kAside || robot_.drivetrain != Drivetrain::omni) continue;
+    throw InputError("the controller trajectory does not support moves to a side: use stanley");
   }
   const Trajectory trajectory = timed_path().trajectory;
   constexpr double kRounding = 1e-6;

@@ -136,10 +136,11 @@ auto rows_of(const Drive& drive, const Frame& frame) {
   return owned_array<double, 2>(std::move(numbers), {drive.samples.size(), 6});
 }
 
-nb::dict follow(const Planned& plan, const std::string& controller, const nb::dict& options,
-                const nb::dict& model_options, const nb::dict& simulation_options,
-                const nb::dict& follower_options) {
-  const ControllerInfo* const info = value_or_throw(controllers().named("controller", controller));
+nb::dict follow(const Planned& plan, const std::optional<std::string>& controller,
+                const nb::dict& options, const nb::dict& model_options,
+                const nb::dict& simulation_options, const nb::dict& follower_options) {
+  const std::string name = controller.value_or(std::string(default_controller(plan.path())));
+  const ControllerInfo* const info = value_or_throw(controllers().named("controller", name));
   const auto made = value_or_throw(info->make(options_of(options)));
   const auto model = value_or_throw(parse_options<MotionModel>(options_of(model_options)));
   const auto simulation =
@@ -154,6 +155,9 @@ nb::dict follow(const Planned& plan, const std::string& controller, const nb::di
     const nb::gil_scoped_release unlocked;
     drive = simulate(plan.answer.space, plan.path(), *made, model, simulation, follower);
   }
+  if (drive.outcome == DriveOutcome::refused) {
+    throw_failure(Status::invalid_option, drive.refusal, "plan");
+  }
   nb::dict result;
   for (const auto& choice : choice_names(DriveOutcome{})) {
     if (choice.value == drive.outcome)
@@ -164,6 +168,7 @@ nb::dict follow(const Planned& plan, const std::string& controller, const nb::di
   result["cross_track_rms"] = drive.cross_track_rms;
   result["cross_track_largest"] = drive.cross_track_largest;
   result["final_error"] = drive.final_error;
+  result["final_heading_error"] = drive.final_heading_error;
   result["collisions"] = drive.collisions;
   result["samples"] = rows_of(drive, plan.answer.space.map().frame());
   return result;
@@ -207,7 +212,7 @@ void bind_plan(nb::module_& module) {
       .def("smooth", &smoothed, nb::arg("smoother").none(), nb::arg("simplify").none(),
            nb::arg("spacing").none(), nb::arg("options"))
       .def("trajectory", &timed, nb::arg("limits"), nb::arg("corner_rounding").none())
-      .def("follow", &follow, nb::arg("controller"), nb::arg("options"), nb::arg("model"),
+      .def("follow", &follow, nb::arg("controller").none(), nb::arg("options"), nb::arg("model"),
            nb::arg("simulation"), nb::arg("follower"));
 
   nb::class_<Trajectory>(module, "Trajectory", "A path with time stamps and speeds.")

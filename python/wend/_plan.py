@@ -233,13 +233,16 @@ class Drive(NamedTuple):
     """A simulated drive along a path: metres, radians, seconds."""
 
     outcome: str
-    """"reached", "stuck", "off_path", "collision" or "time"."""
+    """"reached" (it stands within the tolerances), "stuck", "off_path", "collision", "time" or "missed" (it stands
+    beside the goal, where its noisy poses tell that it is there)."""
     time: float
     distance: float
     cross_track_rms: float
     cross_track_largest: float
     final_error: float
     """The distance from the goal at the end."""
+    final_heading_error: float
+    """The heading of the path's end minus that of the robot."""
     collisions: int
     samples: npt.NDArray[np.float64]
     """Rows of time, x, y, heading, speed, turn rate: the true state at each command."""
@@ -248,7 +251,7 @@ class Drive(NamedTuple):
 @named_types
 def follow(
     plan: Plan,
-    controller: str = "pure_pursuit",
+    controller: str | None = None,
     *,
     model: Mapping[str, object] | None = None,
     simulation: Mapping[str, object] | None = None,
@@ -257,10 +260,15 @@ def follow(
 ) -> Drive:
     """Simulates a robot that follows the path on its map.
 
-    :param controller: a name from ``wend.controllers()``; `options` are its options.
-    :param model: `drivetrain` ("differential" or "bicycle"), `speed`, `turn_rate`, `acceleration`, ...
+    :param controller: a name from ``wend.controllers()``; `options` are its options. By default "stanley" for a path
+        of poses, else "pure_pursuit".
+    :param model: `drivetrain` ("differential", "bicycle" or "omni"), `speed`, `turn_rate`, `acceleration`, ...
     :param simulation: `rate`, `latency`, `position_noise`, `heading_noise`, `actuation_noise`, `seed`, ...
-    :param follower: `goal_tolerance`, `acceptance_radius`, `off_path`, `stuck_time`, ...
+    :param follower: `goal_tolerance`, `heading_tolerance` (0.1 rad, of a goal with a heading; 0: any),
+        `acceptance_radius`, `off_path`, `stuck_time`, ...
+
+    "reached" means that the robot stands within the tolerances. A path that such a robot cannot drive raises
+    `InvalidArgument`.
 
     >>> import wend
     >>> plan = wend.Map([[0] * 40] * 20, resolution=0.1).free_space().plan((0.5, 0.5), (3.5, 1.5))

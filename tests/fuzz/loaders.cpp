@@ -8,6 +8,7 @@
 #include "checks.hpp"
 #include "forged_index.hpp"
 #include "fuzzed_c_interface.hpp"
+#include "fuzzed_follow.hpp"
 #include "fuzzed_map_updates.hpp"
 #include "fuzzed_map_yaml.hpp"
 #include "fuzzed_mask.hpp"
@@ -191,6 +192,7 @@ constexpr std::array kLoaders{
     Loader{"index", fuzz_index},
     Loader{"c_interface", fuzz_c_interface},
     Loader{"map_updates", fuzz_map_updates},
+    Loader{"follow", fuzz_follow},
 };
 
 }  // namespace

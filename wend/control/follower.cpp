@@ -8,6 +8,7 @@
 
 #include "wend/control/nearest_ahead.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
 namespace {
@@ -17,7 +18,8 @@ bool is_finite(const MapPose& pose) {
 }
 
 bool is_finite(const Velocity& velocity) {
-  return std::isfinite(velocity.linear) && std::isfinite(velocity.angular);
+  return std::isfinite(velocity.linear) && std::isfinite(velocity.angular) &&
+         std::isfinite(velocity.lateral);
 }
 
 bool is_usable(const VelocityLimits& limits, const FollowerOptions& options) {
@@ -32,6 +34,22 @@ bool is_usable(const VelocityLimits& limits, const FollowerOptions& options) {
                                        options.stuck_time,
                                        options.heading_window};
   return std::ranges::all_of(numbers, [](double one) { return std::isfinite(one) && one >= 0; });
+}
+
+/// The robot's velocity as the controller of a leg sees it: along the direction of travel.
+Velocity velocity_on(const RouteLeg& leg, const Velocity& velocity) {
+  const double sign = leg.reverse ? -1 : 1;
+  if (leg.course == 0) return {sign * velocity.linear, velocity.angular};
+  const auto [sine, cosine] = sine_and_cosine(leg.course);
+  return {sign * (cosine * velocity.linear + sine * velocity.lateral), velocity.angular};
+}
+
+/// The same back.
+Velocity velocity_from(const RouteLeg& leg, const Velocity& wanted) {
+  const double linear = (leg.reverse ? -1 : 1) * wanted.linear;
+  if (leg.course == 0) return {linear, wanted.angular};
+  const auto [sine, cosine] = sine_and_cosine(leg.course);
+  return {cosine * linear, wanted.angular, sine * linear};
 }
 
 /// The greatest speed that can be held for a moment and then be braked within `way`.
@@ -107,7 +125,7 @@ void Follower::drive_to_end(const MapPose& pose, bool may_reverse) {
   const double off = reverse ? kPi - std::abs(turn) : std::abs(turn);
   ++ways_to_end_;
   cautious_speed_ = distance(pose.point(), end) / 2;
-  way_to_end_.emplace(RouteLeg{MapPolyline({pose.point(), end}), reverse, off > kStraight});
+  way_to_end_.emplace(RouteLeg{MapPolyline({pose.point(), end}), reverse, off > kStraight, 0});
   begin_leg(leg_);
 }
 
@@ -139,7 +157,7 @@ FollowerStep Follower::step(const MapPose& pose, double seconds) {
   }
   if (joins_) join(pose);
   if (!seen_) seen_ = pose;
-  const MapPose shown = turned_round(pose, current_leg().reverse);
+  const MapPose shown = shown_on(current_leg(), pose);
   locate(shown);
   const double heading = current_leg().line.heading_at(along_, options_.heading_window);
   FollowerStep step{.heading_error = normalized_angle(heading - shown.heading),
@@ -208,39 +226,39 @@ void Follower::locate(const MapPose& shown) {
 /// tolerance, if it does: what it skips, the next leg would begin beside its line. Where it passes the end at speed,
 /// it may be beyond the tolerance by now.
 bool Follower::is_at_end_of_leg(const MapPose& pose) {
-  constexpr double kAtEnd = 0.02;  // m
-  // Of the tolerance: nearer to the last point, controllers that face it would turn aside.
-  constexpr double kAtGoal = 0.4;
+  // A robot that steers cannot turn afterwards by what an arc turns on the last centimetres.
+  const double at_leg = options_.turns_in_place ? 0.02 : 0.005;  // m
+  // Of the tolerance: nearer to the last point, controllers that face it would turn aside. A robot that steers turns
+  // up to the last point.
+  const double at_heading = options_.turns_in_place ? 0.4 : 0.1;
   constexpr double kAtPoint = 0.7;   // the same without a heading
   constexpr double kLeaves = 0.005;  // m
   constexpr double kBeside =
       3;  // of the tolerance: so far beside the end of the route it stops, too
   const MapPolyline& line = current_leg().line;
   const double gap = distance(pose.point(), line.points().back());
-  const bool leaves = gap > nearest_end_ + kLeaves;
-  nearest_end_ = std::min(nearest_end_, gap);
   const double left = line.length() - along_;
+  const bool leaves = gap > nearest_end_ + kLeaves && left <= along_;
+  nearest_end_ = std::min(nearest_end_, gap);
   const double tolerance = options_.goal_tolerance;
   const double beside = is_last_leg() ? kBeside * tolerance : tolerance;
-  if (leaves && left <= kAtEnd && nearest_end_ <= beside) return true;
+  if (leaves && left <= at_leg && nearest_end_ <= beside) return true;
   if (left > 2 * tolerance || gap > tolerance) return false;
   const bool turns_next = !is_last_leg() && route_.legs()[leg_ + 1].turn_first;
-  const double at_goal = (route_.final_heading() ? kAtGoal : kAtPoint) * tolerance;
-  const double at_end = is_last_leg() ? at_goal : kAtEnd;
+  const double at_goal = (route_.final_heading() ? at_heading : kAtPoint) * tolerance;
+  const double at_end = is_last_leg() ? at_goal : at_leg;
   return gap <= at_end || leaves || (!turns_next && left <= at_end);
 }
 
 Velocity Follower::ask_controller(const MapPose& shown, double turn, double seconds) {
   const RouteLeg& leg = current_leg();
-  const double sign = leg.reverse ? -1 : 1;
-  const Velocity as_shown{sign * velocity_.linear, velocity_.angular};
-  Velocity wanted = controller_->command(
-      {shown, as_shown, &leg.line, along_, waypoint_, seconds, limits_, leg.reverse, turn});
+  Velocity wanted = controller_->command({shown, velocity_on(leg, velocity_), &leg.line, along_,
+                                          waypoint_, seconds, limits_, leg.reverse, turn});
   const double way = way_left(leg.line, along_, shown.point());
   const double fastest =
       std::min(braking_speed(way, limits_.acceleration, seconds), cautious_speed_);
-  wanted.linear = sign * std::clamp(wanted.linear, -fastest, fastest);
-  return wanted;
+  wanted.linear = std::clamp(wanted.linear, -fastest, fastest);
+  return velocity_from(leg, wanted);
 }
 
 void Follower::begin_to_arrive(const MapPose& pose) {

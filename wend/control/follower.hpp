@@ -87,8 +87,8 @@ class WEND_API Follower {
   /// The next command, from the measured pose, `seconds` (> 0) after the last one. It is within the limits.
   /// Before follow() the state is reached. At the route's end, a robot that overshoots drives back. If the pose
   /// is not finite, the robot brakes. In every state other than driving it also brakes, and the state stays.
-  /// O(lines of the route that the robot can reach within a second; all at the first step of a route);
-  /// allocates at that step, and where a robot drives back.
+  /// O(lines of the route that the robot can reach within a second; all at the first step of a route); takes memory
+  /// only where a robot drives to the end of a route beside which it stands.
   FollowerStep step(const MapPose& pose, double seconds);
 
   /// Other limits, from the next command on, also while driving. The controller begins the rest of the

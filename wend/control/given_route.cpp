@@ -48,12 +48,12 @@ std::optional<Error> fault_of(std::span<const MapPose> poses) {
   if (poses.empty()) return Error{Status::unsupported_query, "the path has no poses", "path"};
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const MapPose& pose = poses[i];
-    if (Route::can_hold(pose.point()) && std::isfinite(pose.heading)) continue;
+    if (Route::can_hold(pose.point()) && Route::can_hold(pose.heading)) continue;
     const std::string where = "pose " + std::to_string(i);
     return Error{Status::unsupported_query,
                  where +
-                     " of the path has a number that is not finite, or is farther than 1e8 m "
-                     "from the origin",
+                     " of the path has a number that is not finite, is farther than 1e8 m from "
+                     "the origin, or has a heading beyond 1e6 rad",
                  where};
   }
   return std::nullopt;

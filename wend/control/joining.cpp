@@ -1,8 +1,7 @@
 #include "wend/control/joining.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
+#include <utility>
 
 #include "wend/geometry/trigonometry.hpp"
 
@@ -28,84 +27,95 @@ Candidate candidate_on(const Route& route, std::size_t leg, std::size_t piece,
   const double dy = (b.y - a.y) / length;
   const double along = std::clamp((pose.x - a.x) * dx + (pose.y - a.y) * dy, 0.0, length);
   const MapPoint point{a.x + along * dx, a.y + along * dy};
-  const auto [sine, cosine] = sine_and_cosine(pose.heading);
-  const double ahead = cosine * dx + sine * dy;
+  const auto [sine, cosine] = sine_and_cosine(shown_on(route.legs()[leg], pose).heading);
   return {.place = {leg, line.along()[piece] + along, distance(point, pose.point())},
           .point = point,
-          .leads = route.legs()[leg].reverse ? ahead <= 0 : ahead >= 0,
+          .leads = cosine * dx + sine * dy >= 0,
           .end = distance(b, pose.point()),
           .last = piece + 2 == line.points().size()};
 }
 
-std::vector<Candidate> candidates_on(const Route& route, const MapPose& pose) {
-  std::vector<Candidate> candidates;
+/// Calls each(candidate) for every line of the route, in driving order.
+template <class Each>
+void for_each_candidate(const Route& route, const MapPose& pose, Each&& each) {
   for (std::size_t leg = 0; leg < route.legs().size(); ++leg) {
-    const auto points = route.legs()[leg].line.points();
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      candidates.push_back(candidate_on(route, leg, i, pose));
-    }
+    const std::size_t points = route.legs()[leg].line.points().size();
+    for (std::size_t i = 0; i + 1 < points; ++i) each(candidate_on(route, leg, i, pose));
   }
-  return candidates;
 }
 
-/// The distance of the nearest place that can be reached; it asks about so many only.
-std::optional<double> nearest_free(const std::vector<Candidate>& candidates, const MapPose& pose,
+/// The distance of the nearest place that can be reached. It asks about so many places only, the nearest first, and
+/// takes no memory.
+std::optional<double> nearest_free(const Route& route, const MapPose& pose,
                                    const JoiningOptions& options) {
-  constexpr std::size_t kMostAsked = 256;
-  std::vector<const Candidate*> near;
-  for (const Candidate& candidate : candidates) {
-    if (candidate.place.distance <= options.within) near.push_back(&candidate);
-  }
-  const std::size_t asked = std::min(near.size(), kMostAsked);
-  std::ranges::partial_sort(near, near.begin() + static_cast<std::ptrdiff_t>(asked), {},
-                            [](const Candidate* one) { return one->place.distance; });
-  for (std::size_t i = 0; i < asked; ++i) {
-    if (!options.can_reach || options.can_reach(pose, near[i]->point)) {
-      return near[i]->place.distance;
-    }
+  constexpr int kMostAsked = 256;
+  double asked = -1;  // how far the place was that was asked about last
+  for (int count = 0; count < kMostAsked; ++count) {
+    std::optional<Candidate> next;
+    for_each_candidate(route, pose, [&](const Candidate& candidate) {
+      const double distance = candidate.place.distance;
+      if (distance <= asked || distance > options.within) return;
+      if (!next || distance < next->place.distance) next = candidate;
+    });
+    if (!next) return std::nullopt;
+    asked = next->place.distance;
+    if (!options.can_reach || options.can_reach(pose, next->point)) return asked;
   }
   return std::nullopt;
 }
 
-/// Of each visit, a stretch of a leg no farther than `most`, the nearest place that is not nearer than `least`: what
-/// is nearer cannot be reached.
-std::vector<Candidate> visits_of(const std::vector<Candidate>& candidates, double least,
-                                 double most) {
-  std::vector<Candidate> visits;
-  bool open = false;
-  for (const Candidate& candidate : candidates) {
+/// Chooses among visits: stretches of a leg no farther than `most`, each with its nearest place that is not nearer than
+/// `least`: what is nearer cannot be reached.
+class VisitChoice {
+ public:
+  VisitChoice(const MapPose& pose, const JoiningOptions& options, double least)
+      : pose_(pose),
+        options_(options),
+        least_(least),
+        most_(std::min(least + options.tie, options.within)) {}
+
+  void take(const Candidate& candidate) {
     const double distance = candidate.place.distance;
-    if (distance > most) open = false;
-    if (distance >= least && distance <= most) {
-      if (!open) {
-        visits.push_back(candidate);
-      } else if (distance < visits.back().place.distance) {
-        visits.back() = candidate;
-      }
-      open = true;
+    if (distance > most_) end_visit();
+    if (distance >= least_ && distance <= most_ && (!visit_ || distance < visit_->place.distance)) {
+      visit_ = candidate;
     }
-    if (candidate.last || candidate.end > most) open = false;
+    if (candidate.last || candidate.end > most_) end_visit();
   }
-  return visits;
-}
+
+  std::optional<OnRoute> best() {
+    end_visit();
+    if (!first_) return std::nullopt;
+    const bool at_start = first_->place.leg == 0 && first_->place.along <= options_.tie;
+    return at_start || !leading_ ? first_->place : leading_->place;
+  }
+
+ private:
+  void end_visit() {
+    const std::optional<Candidate> visit = std::exchange(visit_, std::nullopt);
+    if (!visit || (options_.can_reach && !options_.can_reach(pose_, visit->point))) return;
+    if (!first_) first_ = visit;
+    if (!leading_ && visit->leads) leading_ = visit;
+  }
+
+  const MapPose& pose_;
+  const JoiningOptions& options_;
+  double least_;
+  double most_;
+  std::optional<Candidate> visit_;  // so far
+  std::optional<Candidate> first_;
+  std::optional<Candidate> leading_;
+};
 
 }  // namespace
 
 std::optional<OnRoute> place_to_join(const Route& route, const MapPose& pose,
                                      const JoiningOptions& options) {
-  const std::vector<Candidate> candidates = candidates_on(route, pose);
-  const auto nearest = nearest_free(candidates, pose, options);
+  const auto nearest = nearest_free(route, pose, options);
   if (!nearest) return std::nullopt;
-  std::vector<Candidate> visits =
-      visits_of(candidates, *nearest, std::min(*nearest + options.tie, options.within));
-  std::erase_if(visits, [&](const Candidate& visit) {
-    return options.can_reach && !options.can_reach(pose, visit.point);
-  });
-  if (visits.empty()) return std::nullopt;
-  const bool at_start = visits.front().place.leg == 0 && visits.front().place.along <= options.tie;
-  const auto leading = std::ranges::find(visits, true, &Candidate::leads);
-  if (at_start || leading == visits.end()) return visits.front().place;
-  return leading->place;
+  VisitChoice choice(pose, options, *nearest);
+  for_each_candidate(route, pose, [&](const Candidate& candidate) { choice.take(candidate); });
+  return choice.best();
 }
 
 bool same_route(const Route& a, const Route& b) {
@@ -113,7 +123,7 @@ bool same_route(const Route& a, const Route& b) {
     return distance(p, q) <= Route::kSamePlace;
   };
   const auto same_leg = [&](const RouteLeg& p, const RouteLeg& q) {
-    return p.reverse == q.reverse && p.turn_first == q.turn_first &&
+    return p.reverse == q.reverse && p.turn_first == q.turn_first && p.course == q.course &&
            p.line.closed() == q.line.closed() &&
            std::ranges::equal(p.line.points(), q.line.points(), same_point);
   };

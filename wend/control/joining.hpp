@@ -36,7 +36,8 @@ struct OnRoute {
 
 /// The nearest place that the robot can reach. Where the route comes as near several times, it is the first of
 /// these visits if the route begins there, else the first that leads the way the robot faces, else the first.
-/// Nothing if no place is near enough and can be reached. O(lines); asks about the nearest places only.
+/// Nothing if no place is near enough and can be reached. O(lines) for each place that it asks about, the nearest first;
+/// takes no memory.
 WEND_API std::optional<OnRoute> place_to_join(const Route& route, const MapPose& pose,
                                               const JoiningOptions& options = {});
 

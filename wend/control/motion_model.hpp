@@ -20,6 +20,7 @@ namespace wend {
 struct Velocity {
   double linear = 0;   // m/s along the heading, negative in reverse
   double angular = 0;  // rad/s, positive where the heading grows
+  double lateral = 0;  // m/s to the left; 0 but for a robot that moves to its sides
 
   friend bool operator==(const Velocity&, const Velocity&) = default;
 };
@@ -43,7 +44,8 @@ struct VelocityLimits {
 };
 
 /// The velocity nearest to `wanted` that the limits allow `seconds` after `now`. If `now` exceeds
-/// the limits, the one nearest to them that the accelerations allow.
+/// the limits, the one nearest to them that the accelerations allow. With a lateral part, the limits of
+/// speed and acceleration are those of the whole motion.
 WEND_API Velocity limited(const Velocity& wanted, const Velocity& now, const VelocityLimits& limits,
                           double seconds);
 
@@ -51,10 +53,13 @@ WEND_API Velocity limited(const Velocity& wanted, const Velocity& now, const Vel
 enum class Drivetrain {
   differential,  // turns in place
   bicycle,       // steers: turns only while it drives, by tan(steering) / wheelbase a metre
+  omni,          // moves in every direction, and turns while it does
 };
 
-constexpr std::array<Choice<Drivetrain>, 2> choice_names(Drivetrain) {
-  return {{{"differential", Drivetrain::differential}, {"bicycle", Drivetrain::bicycle}}};
+constexpr std::array<Choice<Drivetrain>, 3> choice_names(Drivetrain) {
+  return {{{"differential", Drivetrain::differential},
+           {"bicycle", Drivetrain::bicycle},
+           {"omni", Drivetrain::omni}}};
 }
 
 /// A kind of robot and its limits.
@@ -67,7 +72,8 @@ struct WEND_API MotionModel {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     field({"drivetrain",
-           "how the robot turns: by two driven wheels (differential) or by steering (bicycle)"},
+           "how the robot moves: on two driven wheels (differential), by steering (bicycle), or to "
+           "every side (omni)"},
           self.drivetrain);
     field({"wheelbase", "bicycle: distance between the axles, m"}, self.wheelbase, {1e-3, 1e3});
     field({"steering_limit", "bicycle: upper limit on the steering angle, rad"},
@@ -87,14 +93,17 @@ struct RobotState {
 
 /// A short motion: an arc (of length 0 for a turn in place) and the state at its end.
 struct Step {
-  MapArc arc;     // the way of the robot
+  MapArc arc;     // the way of the robot; its heading is the direction of travel
   RobotState to;  // the state at its end
+  double course =
+      0;  // rad, how far to the left of the robot's heading the arc leads: of an omni robot
 };
 
 /// Holds a velocity. Below a nanometre a second the robot turns in place.
 WEND_API Step hold(const MapPose& from, const Velocity& velocity, double seconds);
 
-/// Drives for `seconds` within the limits: the velocity is first limited, then held. A bicycle's
+/// Drives for `seconds` within the limits: the velocity is first limited, then held; only an omni robot moves to
+/// its sides. A bicycle's
 /// turn rate is at most |linear| / turning_radius(); where that would change it too fast, it brakes
 /// less.
 WEND_API Step drive(const MotionModel& model, const RobotState& from, const Velocity& wanted,

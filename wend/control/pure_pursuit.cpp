@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "wend/control/controller.hpp"
+#include "wend/control/route.hpp"
 #include "wend/control/speed_profile.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/arc.hpp"
 #include "wend/geometry/trigonometry.hpp"
 
 namespace wend {
@@ -37,11 +39,26 @@ struct PurePursuitOptions {
   }
 };
 
+/// Of a line that ends with an arc, given by chords: from the headings of its last two pieces of length `window`. 0 if
+/// its last line does not lead as that arc ends: then it ends behind a corner.
+double curvature_at_end(const MapPolyline& line, double window) {
+  constexpr double kChord = 0.1;  // rad: a chord leads as its middle does
+  const double piece = std::min(window, line.length() / 2);
+  if (piece <= Route::kSamePlace) return 0;
+  const double middle = line.heading_at(line.length() - piece / 2, piece / 2);
+  const double before = line.heading_at(line.length() - 3 * piece / 2, piece / 2);
+  const double turn = normalized_angle(middle - before);
+  const double last = line.at(line.length()).heading;
+  const bool is_arc = std::abs(normalized_angle(middle + turn / 2 - last)) <= kChord;
+  return is_arc ? turn / piece : 0;
+}
+
 class PurePursuitController final : public Controller {
  public:
   explicit PurePursuitController(const PurePursuitOptions& options) : options_(options) {}
 
   void begin(const MapPolyline& line, const VelocityLimits& limits) override {
+    end_curvature_ = curvature_at_end(line, options_.lookahead);
     profile_.begin(line, {.limits = limits,
                           .lateral_acceleration = options_.lateral_acceleration,
                           .min_speed = options_.min_speed,
@@ -68,18 +85,23 @@ class PurePursuitController final : public Controller {
   }
 
  private:
-  /// On the route, the lookahead farther along than the robot; beyond its end on the last line's
-  /// extension, so that the robot comes in straight. Once it has passed the end, the end.
+  /// On the route, the lookahead farther along than the robot; beyond its end where its last line or arc goes on, so
+  /// that the robot comes in as the route ends. Once it has passed the end, the end.
   MapPoint target_of(const ControllerInput& input) const {
     const MapPolyline& route = *input.route;
-    const double farther =
-        options_.lookahead + options_.lookahead_time * std::abs(input.velocity.linear);
+    // Before the end, farther still: there the heading counts more than the last millimetres beside the line.
+    const double left = route.length() - input.along;
+    const double farther = options_.lookahead +
+                           options_.lookahead_time * std::abs(input.velocity.linear) +
+                           std::max(2 * options_.lookahead - left, 0.0);
     const double along = input.along + farther;
     const MapPose place = route.at(along);
     const double beyond = along - route.length();
     if (beyond <= 0 || input.along >= route.length()) return place.point();
-    const auto [sine, cosine] = sine_and_cosine(place.heading);
-    return {place.x + beyond * cosine, place.y + beyond * sine};
+    // No farther round than a quarter: else the target would come back.
+    const double bend = std::abs(end_curvature_);
+    const double way = bend > 0 ? std::min(beyond, kPi / 2 / bend) : beyond;
+    return point_on(MapArc{place, way, end_curvature_}, way);
   }
 
   double speed_on(double curvature, const ControllerInput& input) const {
@@ -95,6 +117,7 @@ class PurePursuitController final : public Controller {
 
   PurePursuitOptions options_;
   SpeedProfile profile_;
+  double end_curvature_ = 0;  // 1/m, of the line
 };
 
 }  // namespace

@@ -16,13 +16,15 @@ constexpr double kNoTurn = 1e-6;  // rad: a smaller one is rounding
 
 bool can_hold(const Path& path, const Frame& frame) {
   const auto holds = [&](Point point) { return Route::can_hold(frame.to_metres(point)); };
+  const auto faces = [](const Pose& pose) { return Route::can_hold(pose.heading); };
   return std::ranges::all_of(path.points(), holds) &&
-         std::ranges::all_of(path.driven_poses(),
-                             [](const Pose& pose) { return std::isfinite(pose.heading); });
+         std::ranges::all_of(path.driven_poses(), faces);
 }
 
 bool can_hold(const RouteLeg& leg) {
-  return std::ranges::all_of(leg.line.points(), &Route::can_hold);
+  return std::isfinite(leg.course) && std::ranges::all_of(leg.line.points(), [](MapPoint point) {
+           return Route::can_hold(point);
+         });
 }
 
 /// Without points that lie on top of the one before. The last point stays.
@@ -83,17 +85,28 @@ bool jumps_between(const Segment& before, const Segment& after) {
   return std::abs(normalized_angle(jump)) > kSmallJump;
 }
 
+bool is_aside(const Segment& segment) { return std::abs(segment.course) > kSmallJump; }
+
+/// Does a leg end between two segments that no turn in place separates?
+bool ends_between(const Segment& before, const Segment& after) {
+  const double changes = normalized_angle(after.course - before.course);
+  return before.length * after.length < 0 || jumps_between(before, after) ||
+         ((is_aside(before) || is_aside(after)) && std::abs(changes) > kSmallJump);
+}
+
 /// One leg for each stretch of segments in one direction, without turns in place but at its ends.
 std::vector<RouteLeg> legs_along(const JoinedPoses& joined, const Frame& frame) {
   std::vector<RouteLeg> legs;
   std::vector<Arc> arcs;          // of this leg
   std::optional<Segment> before;  // of this leg, the last
+  double course = 0;              // of this leg
   bool turn_first = false;
   bool turns = false;  // before the next segment
   const auto end_leg = [&] {
     if (arcs.empty()) return;
     const Polyline line = polyline_of(arcs);
-    legs.push_back({in_metres(line.points(), frame, false), before->length < 0, turn_first});
+    legs.push_back(
+        {in_metres(line.points(), frame, false), before->length < 0, turn_first, course});
     arcs.clear();
   };
   for (std::size_t i = 0; i < joined.segment_count(); ++i) {
@@ -102,12 +115,12 @@ std::vector<RouteLeg> legs_along(const JoinedPoses& joined, const Frame& frame) 
       turns = true;
       continue;
     }
-    const bool reverses = before && before->length * segment.length < 0;
-    turns = turns || (before && jumps_between(*before, segment));
-    if (turns || reverses) {
+    const bool aside = is_aside(segment) || (before && is_aside(*before));
+    if (turns || (before && ends_between(*before, segment))) {
       end_leg();
-      turn_first = turns;
+      turn_first = turns || (!aside && before && jumps_between(*before, segment));
     }
+    if (arcs.empty()) course = is_aside(segment) ? segment.course : 0;
     arcs.push_back(way_of_base(segment));
     before = segment;
     turns = false;
@@ -131,14 +144,24 @@ void join_end_to_start(std::vector<RouteLeg>& legs) {
 }
 
 /// How the robot stands there.
-MapPose facing(const RouteLeg& leg, double along) {
-  return turned_round(leg.line.at(along), leg.reverse);
-}
+MapPose facing(const RouteLeg& leg, double along) { return seen_on(leg, leg.line.at(along)); }
 
 }  // namespace
 
 MapPose turned_round(const MapPose& pose, bool reverse) {
   return reverse ? MapPose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
+}
+
+MapPose shown_on(const RouteLeg& leg, const MapPose& pose) {
+  const MapPose shown = turned_round(pose, leg.reverse);
+  if (leg.course == 0) return shown;
+  return {shown.x, shown.y, normalized_angle(shown.heading + leg.course)};
+}
+
+MapPose seen_on(const RouteLeg& leg, const MapPose& shown) {
+  if (leg.course == 0) return turned_round(shown, leg.reverse);
+  return turned_round({shown.x, shown.y, normalized_angle(shown.heading - leg.course)},
+                      leg.reverse);
 }
 
 std::optional<Pose> first_step_aside(const Path& path) {
@@ -170,6 +193,10 @@ std::optional<Pose> first_bend_tighter_than(double radius, const Path& path) {
   return std::nullopt;
 }
 
+bool Route::can_hold(double heading) {
+  return std::abs(heading) <= kLargestHeading;  // so not NaN
+}
+
 bool Route::can_hold(MapPoint point) {
   return std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest;  // so not NaN
 }
@@ -199,7 +226,7 @@ void Route::follow(const JoinedPoses& joined, const Frame& frame, bool closed) {
 Route::Route(std::vector<RouteLeg> legs, std::optional<double> final_heading)
     : legs_(std::move(legs)), final_heading_(final_heading) {
   assert(!legs_.empty());
-  const bool heads = !final_heading || std::isfinite(*final_heading);
+  const bool heads = !final_heading || can_hold(*final_heading);
   if (!heads || !std::ranges::all_of(legs_, [](const auto& leg) { return wend::can_hold(leg); })) {
     invalidate();
     return;

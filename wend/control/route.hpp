@@ -25,10 +25,17 @@ struct RouteLeg {
   MapPolyline line;         // in the direction of travel
   bool reverse = false;     // the robot's back leads
   bool turn_first = false;  // the robot turns in place before it
+  double course =
+      0;  // rad, to the left of the leading end: of a leg that an omni robot drives to its side
 };
 
-/// Where a path first steps to a side of the robot, by more than 10 degrees, in grid coordinates: no robot
-/// on wheels that a follower drives can do that. O(n).
+/// A robot as the controller of a leg sees it: so that its heading is the direction of travel.
+WEND_API MapPose shown_on(const RouteLeg& leg, const MapPose& pose);
+/// The same back: the pose of a robot that is shown so.
+WEND_API MapPose seen_on(const RouteLeg& leg, const MapPose& shown);
+
+/// Where a path first steps to a side of the robot, by more than 10 degrees, in grid coordinates: only an omni robot
+/// can do that. O(n).
 WEND_API std::optional<Pose> first_step_aside(const Path& path);
 
 /// Where a path of poses first turns in place, at its ends too, or jumps from one direction of travel to another one,
@@ -47,8 +54,13 @@ class WEND_API Route {
   /// Points that are no farther apart are one place: what lies between has no direction, m.
   static constexpr double kSamePlace = 1e-6;
 
+  /// A heading is no larger: more turns than that are a mistake, rad.
+  static constexpr double kLargestHeading = 1e6;
+
   /// Is it finite, and not farther than kFarthest?
   static bool can_hold(MapPoint point);
+  /// Is it finite, and no larger than kLargestHeading?
+  static bool can_hold(double heading);
 
   /// The route of a path (not empty) in grid coordinates. A path of poses has a leg for each stretch
   /// between reversals and turns in place, however small, its arcs within 0.01 cells, and ends with a heading.
@@ -59,7 +71,7 @@ class WEND_API Route {
   /// A route of these legs, at least one. `final_heading` is the heading at the end, if one is asked for.
   explicit Route(std::vector<RouteLeg> legs, std::optional<double> final_heading = {});
 
-  /// Can a robot drive it: is each of its numbers finite, each place one that it can hold? A route that is not
+  /// Can a robot drive it: can it hold each place and each heading? A route that is not
   /// valid has one leg, the origin.
   bool valid() const { return valid_; }
 

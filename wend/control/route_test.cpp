@@ -194,6 +194,7 @@ TEST(Route, OfWhatIsNotFiniteIsNotValid) {
   EXPECT_EQ(nowhere.length(), 0);
   EXPECT_EQ(nowhere.legs().size(), 1U);
   EXPECT_FALSE(Route({RouteLeg{MapPolyline({{0, 0}})}}, kNan).valid());
+  EXPECT_FALSE(Route(Path::through({{0, 0, 0}, {1, 0, 1e29}}), {}).valid());
   EXPECT_TRUE(Route(Path::along({{0, 0}, {1, 0}}), {}).valid());
 }
 

@@ -18,44 +18,49 @@ namespace {
 double rounded(double metres) { return std::round(metres * 100) / 100; }
 double rounded_up(double metres) { return std::ceil(metres * 100) / 100; }
 
-/// The arc in grid coordinates. Of what goes round more than once: one round, which
-/// is all that matters to where it passes.
-Arc to_grid(const MapArc& arc, const Frame& frame) {
-  const double round = 2 * kPi / std::abs(arc.curvature);  // infinite of a line
-  const double length = std::clamp(arc.length, -round, round);
-  return {frame.to_grid(arc.from), length / frame.resolution, arc.curvature * frame.resolution};
+/// In grid coordinates. Of what goes round more than once: one round, which is all that matters to where it passes.
+Segment to_grid(const MapSegment& way, const Frame& frame) {
+  const double rounds = std::abs(way.turn) / (2 * kPi);
+  const double share = rounds > 1 ? 1 / rounds : 1;
+  return {frame.to_grid(way.from), share * way.length / frame.resolution, share * way.turn,
+          way.course};
 }
 
-/// Moves a disc along arcs and counts how often it runs into obstacles.
+/// Moves a robot along segments and counts how often it runs into obstacles.
 class CollisionCounter {
  public:
   explicit CollisionCounter(const FreeSpace& space) : space_(space) {}
 
-  /// Sweeps an arc: how much of it is free, if it runs into something there; nothing if it
-  /// does not, or has already.
-  std::optional<double> sweep(const MapArc& arc) {
-    const Arc in_grid = to_grid(arc, space_.map().frame());
+  /// Sweeps a segment: how much of it is free, 0 to 1, if it runs into something there; nothing if it does not, or has
+  /// already.
+  std::optional<double> sweep(const MapSegment& way) {
+    const Segment in_grid = to_grid(way, space_.map().frame());
     const bool was_free = free_;
-    free_ = fits_along(space_, in_grid);
+    free_ = is_free(in_grid);
     if (free_ || !was_free) return std::nullopt;
     const double share = free_share(in_grid);
-    if (count_++ == 0) first_ = point_on(in_grid, share * in_grid.length);
-    return share * in_grid.length * space_.map().frame().resolution;
+    if (count_++ == 0) first_ = pose_on(in_grid, share).point();
+    return share;
   }
 
   std::uint64_t count() const { return count_; }
   std::optional<Point> first() const { return first_; }
 
  private:
+  /// Arcs of robots on wheels are swept exactly.
+  bool is_free(const Segment& way) const {
+    return way.course == 0 && way.length != 0 ? fits_along(space_, way_of_base(way))
+                                              : fits_along(space_, way);
+  }
+
   /// By bisection: free, or 0.
-  double free_share(const Arc& arc) const {
+  double free_share(const Segment& way) const {
     constexpr int kHalvings = 30;
     double low = 0;
     double high = 1;
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = (low + high) / 2;
-      const bool fits = fits_along(space_, {arc.from, middle * arc.length, arc.curvature});
-      (fits ? low : high) = middle;
+      (is_free(beginning_of(way, middle)) ? low : high) = middle;
     }
     return low;
   }
@@ -105,7 +110,7 @@ class Delay {
   std::size_t newest_ = 0;
 };
 
-constexpr std::size_t kMostCommands = 10'000'000;
+constexpr std::size_t kMostCommands = 1'000'000;
 
 /// Finds the first option that is not in its range.
 class RangeCheck {
@@ -164,7 +169,9 @@ class Simulation {
       note();
       outcome = outcome_of(step.state);
       if (!outcome && (drive_.time >= limit || drive_.samples.size() >= kMostCommands)) {
-        outcome = step.state == FollowerState::driving ? DriveOutcome::time : ended_in(step.state);
+        const bool failed =
+            step.state != FollowerState::driving && step.state != FollowerState::reached;
+        outcome = failed ? ended_in(step.state) : DriveOutcome::time;
       }
       if (!outcome && move(step.command)) outcome = DriveOutcome::collision;
       if (outcome == DriveOutcome::collision) note();
@@ -242,12 +249,13 @@ class Simulation {
 
   bool move(const Velocity& command, const Velocity& errors, double seconds) {
     wheels_ = drive(model_, {robot_.pose, wheels_}, command, seconds).to.velocity;
-    const Velocity velocity{wheels_.linear * errors.linear, wheels_.angular * errors.angular};
+    const Velocity velocity{wheels_.linear * errors.linear, wheels_.angular * errors.angular,
+                            wheels_.lateral * errors.linear};
     const Step step = hold(robot_.pose, velocity, seconds);
-    const std::optional<double> free = collisions_.sweep(step.arc);
+    const std::optional<double> free =
+        collisions_.sweep({robot_.pose, step.arc.length, velocity.angular * seconds, step.course});
     if (free && options_.stop_at_collision) {
-      const double share = *free == 0 ? 0 : *free / step.arc.length;
-      add(hold(robot_.pose, velocity, share * seconds), share * seconds);
+      add(hold(robot_.pose, velocity, *free * seconds), *free * seconds);
       return true;
     }
     add(step, seconds);
@@ -283,7 +291,7 @@ class Simulation {
     const double to_y = robot_.pose.y - place.point.y;
     const auto [sine, cosine] = sine_and_cosine(heading);
     const double left = cosine * to_y - sine * to_x;
-    const double turned = heading + (leg.reverse ? kPi : 0);
+    const double turned = seen_on(leg, {0, 0, heading}).heading;
     drive_.samples.push_back({drive_.time, frame_.to_grid(robot_.pose), robot_.velocity,
                               normalized_angle(turned - robot_.pose.heading),
                               std::copysign(place.distance, left)});
@@ -347,14 +355,17 @@ std::optional<Error> why_undrivable(const Path& path, const Frame& frame,
   };
   if (path.empty()) return refused("the path is empty");
   if (!Route(path, frame).valid()) {
-    return refused("the path has a number that is not finite, or is farther than " +
-                   format_number(Route::kFarthest) + " m from the origin");
+    return refused("the path has a number that is not finite, is farther than " +
+                   format_number(Route::kFarthest) +
+                   " m from the origin, or has a heading beyond " +
+                   format_number(Route::kLargestHeading) + " rad");
   }
   const auto at = [&](const Pose& pose) {
     const MapPoint point = frame.to_metres(pose).point();
     return "(" + format_number(rounded(point.x)) + "," + format_number(rounded(point.y)) + ") m";
   };
-  if (const auto aside = first_step_aside(path)) {
+  const auto aside = model.drivetrain == Drivetrain::omni ? std::nullopt : first_step_aside(path);
+  if (aside) {
     return refused("the path steps to a side of the robot at " + at(*aside) +
                    ", which a robot on wheels cannot drive");
   }

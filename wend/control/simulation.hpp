@@ -128,7 +128,7 @@ WEND_API std::optional<Error> why_undrivable(const Path& path, const Frame& fram
 /// Drives from the path's start, heading along it (for a car's path, as its first pose), until the robot stands,
 /// whatever the outcome, or the time is over. The path is in grid coordinates of the space's map. What
 /// why_undrivable() tells, and options out of their ranges, are refused: the drive has no samples. The controller
-/// is reset first. With a controller that why_unfit() rejects, a bicycle gets stuck. O(commands), 1e7 at most;
+/// is reset first. With a controller that why_unfit() rejects, a bicycle gets stuck. O(commands), 1e6 at most;
 /// every run ends: see Follower.
 WEND_API Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
                         const MotionModel& model = {}, const SimulationOptions& options = {},

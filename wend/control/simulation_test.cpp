@@ -452,7 +452,8 @@ TEST(Simulate, RefusesWhatCannotBeDriven) {
   for (const double number : {kNan, std::numeric_limits<double>::infinity(), 1e300}) {
     EXPECT_EQ(
         refusal(Path::along({{20, 20}, {number, 20}})),
-        "the path has a number that is not finite, or is farther than 1e+08 m from the origin");
+        "the path has a number that is not finite, is farther than 1e+08 m from the origin, or has "
+        "a heading beyond 1e+06 rad");
     EXPECT_EQ(refusal(good, {.limits = {.speed = number}}), "speed must be from 0.001 to 1000");
     EXPECT_EQ(refusal(good, {}, {.latency = number}), "latency must be from 0 to 10");
     EXPECT_EQ(refusal(good, {}, {.rate = number}), "rate must be from 0.1 to 10000");

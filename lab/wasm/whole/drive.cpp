@@ -4,7 +4,6 @@
 #include "lab/wasm/json.hpp"
 #include "lab/wasm/lab.hpp"
 #include "wend/control/controller.hpp"
-#include "wend/control/route.hpp"
 #include "wend/control/simulation.hpp"
 
 namespace wend::lab {
@@ -46,15 +45,13 @@ std::string Lab::drive(std::string_view controller, std::string_view robot,
   if (!path_ || path_->empty()) {
     return error_text({Status::unsupported_query, "there is no path to follow"});
   }
-  if (first_step_aside(*path_)) {
-    return error_text(
-        {Status::unsupported_query,
-         "the path steps to a side of the robot, which a robot on wheels cannot drive"});
-  }
   const auto driver = driver_of(controller, robot, simulation);
   if (!driver) return error_text(driver.error());
   const Drive drive =
       simulate(view->space, *path_, *driver->controller, driver->model, driver->simulation);
+  if (drive.outcome == DriveOutcome::refused) {
+    return error_text({Status::unsupported_query, drive.refusal});
+  }
   points_.clear();
   for (const DriveSample& at : drive.samples) {
     points_.insert(points_.end(), {at.time, at.pose.x, at.pose.y, at.pose.heading,
