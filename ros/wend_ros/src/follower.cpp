@@ -276,8 +276,10 @@ class FollowerNode {
     say(halt.state);
   }
 
+  /// Leaves the path: the same one is another drive, which may begin elsewhere.
   void stop(const std::string& state) {
     driving_ = begins_ = false;
+    follower_ = wend::Follower(*steering_.controller, limits_, options_);
     command({});
     say(state);
   }

@@ -18,6 +18,8 @@
 
 #include "next_message.hpp"
 #include "process_of_node.hpp"
+#include "wend/geometry/angle.hpp"
+#include "wend_ros/pose_message.hpp"
 
 namespace wend_ros {
 namespace {
@@ -44,12 +46,10 @@ class Driving : public testing::Test {
     ASSERT_TRUE(wait_until([this] { return starts_.getNumSubscribers() > 1; }));
   }
 
-  void click(double x, double y) const {
+  void click(double x, double y, double heading = 0) const {
     geometry_msgs::PoseStamped goal;
     goal.header.frame_id = "map";
-    goal.pose.position.x = x;
-    goal.pose.position.y = y;
-    goal.pose.orientation.w = 1;
+    goal.pose = to_message(wend::MapPose{x, y, heading});
     goals_.publish(goal);
   }
 
@@ -70,6 +70,11 @@ class Driving : public testing::Test {
   double speed() {
     const std::lock_guard lock(mutex_);
     return std::abs(robot_.twist.twist.linear.x);
+  }
+
+  double heading() {
+    const std::lock_guard lock(mutex_);
+    return pose_from(robot_.pose.pose)->heading;
   }
 
   std::string state() {
@@ -97,6 +102,18 @@ TEST_F(Driving, ReachesAGoalBehindAWallAndPlansAnewOnTheWay) {
   ASSERT_TRUE(wait_until([this] { return state() == "reached"; })) << state();
   EXPECT_LT(distance_to(24.5, 28.5), 0.5);
   EXPECT_GE(plans_seen_, 3);
+}
+
+TEST_F(Driving, TurnsToTheHeadingOfTheGoal) {
+  constexpr double kHeading = 2.2;
+  place(1.5, 1.5);
+  ASSERT_TRUE(wait_until([this] { return distance_to(1.5, 1.5) < 0.1; }));
+  click(5.5, 1.5, kHeading);
+  ASSERT_TRUE(wait_until([&] {
+    return state() == "reached" && std::abs(wend::normalized_angle(heading() - kHeading)) < 0.15;
+  })) << state()
+      << ' ' << heading();
+  EXPECT_LT(distance_to(5.5, 1.5), 0.5);
 }
 
 TEST_F(Driving, TurnsToANewGoalWhileItDrives) {

@@ -243,11 +243,12 @@ TEST_F(Guarded, QuestionsMoveNothing) {
 
 TEST_F(Guarded, QuestionsDoNotStopARobotOnItsWay) {
   drive_to({6, 1.5, 0});
-  while (robot().x < 5) {
+  ASSERT_TRUE(wait_until([&] {
     EXPECT_EQ(ask(request(15, 9)).status, 0);
-    ASSERT_NE(state(), "off_path");
-    ASSERT_NE(state(), "refused");
-  }
+    return robot().x >= 5;
+  })) << state();
+  EXPECT_FALSE(was("off_path"));
+  EXPECT_FALSE(was("refused"));
   ASSERT_TRUE(wait_until([this] { return state() == "reached"; })) << state();
 }
 
