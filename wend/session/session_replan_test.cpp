@@ -94,12 +94,12 @@ void expect_alike(const Expected<PlanAnswer, RequestFailure>& again,
     EXPECT_NEAR(again->plan.cost, fresh->plan.cost, 2e-6 * fresh->plan.cost);
   }
   if (!path.driven()) return;
-  const double radius = measure(expected, space).smallest_turning_radius;
+  const double radius = measure(expected, space)->smallest_turning_radius;
   if (again->kept) {
     EXPECT_FALSE(first_collision(path, space));
     return;
   }
-  EXPECT_DOUBLE_EQ(measure(path, space).smallest_turning_radius, radius);
+  EXPECT_DOUBLE_EQ(measure(path, space)->smallest_turning_radius, radius);
   expect_same_pose(path.poses().back(), expected.poses().back());
 }
 

@@ -150,8 +150,9 @@ wend::Expected<PathSmoother::Result, Failure> PathSmoother::smooth_by(
       result.poses.insert(result.poses.end(), piece.begin(), piece.end() - 1);
       continue;
     }
-    const auto smoothed = (*smoother)(waypoints(piece, frame), view->space);
+    const auto smoothed = (*smoother)(waypoints(piece, frame), view->space, time_is_up);
     if (!smoothed) return no_smoothing(FailureKind::no_valid_path, smoothed.error().message);
+    result.complete = result.complete && !smoothed->stopped;
     append_piece(result.poses, smoothed->path.points_in_metres(frame), piece,
                  faces && in_reverse(piece));
   }
