@@ -37,18 +37,18 @@ bool is_usable(const VelocityLimits& limits, const FollowerOptions& options) {
 }
 
 /// The robot's velocity as the controller of a leg sees it: along the direction of travel.
-Velocity velocity_on(const RouteLeg& leg, const Velocity& velocity) {
+Velocity velocity_on(const RouteLeg& leg, double course, const Velocity& velocity) {
   const double sign = leg.reverse ? -1 : 1;
-  if (leg.course == 0) return {sign * velocity.linear, velocity.angular};
-  const auto [sine, cosine] = sine_and_cosine(leg.course);
+  if (course == 0) return {sign * velocity.linear, velocity.angular};
+  const auto [sine, cosine] = sine_and_cosine(course);
   return {sign * (cosine * velocity.linear + sine * velocity.lateral), velocity.angular};
 }
 
 /// The same back.
-Velocity velocity_from(const RouteLeg& leg, const Velocity& wanted) {
+Velocity velocity_from(const RouteLeg& leg, double course, const Velocity& wanted) {
   const double linear = (leg.reverse ? -1 : 1) * wanted.linear;
-  if (leg.course == 0) return {linear, wanted.angular};
-  const auto [sine, cosine] = sine_and_cosine(leg.course);
+  if (course == 0) return {linear, wanted.angular};
+  const auto [sine, cosine] = sine_and_cosine(course);
   return {cosine * linear, wanted.angular, sine * linear};
 }
 
@@ -157,7 +157,8 @@ FollowerStep Follower::step(const MapPose& pose, double seconds) {
   }
   if (joins_) join(pose);
   if (!seen_) seen_ = pose;
-  const MapPose shown = shown_on(current_leg(), pose);
+  const MapPose ahead = turned_round(pose, current_leg().reverse);
+  const MapPose shown{ahead.x, ahead.y, ahead.heading + course()};
   locate(shown);
   const double heading = current_leg().line.heading_at(along_, options_.heading_window);
   FollowerStep step{.heading_error = normalized_angle(heading - shown.heading),
@@ -252,13 +253,13 @@ bool Follower::is_at_end_of_leg(const MapPose& pose) {
 
 Velocity Follower::ask_controller(const MapPose& shown, double turn, double seconds) {
   const RouteLeg& leg = current_leg();
-  Velocity wanted = controller_->command({shown, velocity_on(leg, velocity_), &leg.line, along_,
-                                          waypoint_, seconds, limits_, leg.reverse, turn});
+  Velocity wanted = controller_->command({shown, velocity_on(leg, course(), velocity_), &leg.line,
+                                          along_, waypoint_, seconds, limits_, leg.reverse, turn});
   const double way = way_left(leg.line, along_, shown.point());
   const double fastest =
       std::min(braking_speed(way, limits_.acceleration, seconds), cautious_speed_);
   wanted.linear = std::clamp(wanted.linear, -fastest, fastest);
-  return velocity_from(leg, wanted);
+  return velocity_from(leg, course(), wanted);
 }
 
 void Follower::begin_to_arrive(const MapPose& pose) {

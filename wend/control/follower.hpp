@@ -31,6 +31,8 @@ struct FollowerOptions {
   double stuck_time = 10;           // s
   double heading_window = 0.3;      // m: the route's heading is a mean over this length either way
   bool turns_in_place = true;  // can the robot turn in place? Not an option: simulate() sets it
+  bool moves_aside =
+      false;  // can it move to its sides? Likewise; else it turns to where a leg leads
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -114,6 +116,7 @@ class WEND_API Follower {
   const RouteLeg& current_leg() const { return way_to_end_ ? *way_to_end_ : leg_of_route(); }
   bool is_last_leg() const { return leg_ + 1 == route_.legs().size(); }
   double gap_to_end(const MapPose& pose) const;
+  double course() const { return options_.moves_aside ? current_leg().course : 0; }
 
   void join(const MapPose& pose);
   void begin_leg(std::size_t leg);

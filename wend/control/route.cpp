@@ -122,10 +122,9 @@ std::vector<RouteLeg> legs_along(const JoinedPoses& joined, const Frame& frame) 
       turns = true;
       continue;
     }
-    const bool aside = is_aside(segment) || (before && is_aside(*before));
     if (turns || (before && ends_between(*before, segment))) {
       end_leg();
-      turn_first = turns || (!aside && before && jumps_between(*before, segment));
+      turn_first = turns || (before && jumps_between(*before, segment));
     }
     if (arcs.empty()) course = is_aside(segment) ? segment.course : 0;
     arcs.push_back(way_of_base(segment));

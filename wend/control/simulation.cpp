@@ -204,6 +204,7 @@ class Simulation {
  private:
   static FollowerOptions adapted(FollowerOptions options, const MotionModel& model) {
     options.turns_in_place = model.turning_radius() == 0;
+    options.moves_aside = model.drivetrain == Drivetrain::omni;
     return options;
   }
 
