@@ -192,7 +192,8 @@ class DrivenWay {
         const Overlap here = measure_.at(pose);
         if (here.exceeds(before)) return;
         before = here;
-        if (motion.ends_anywhere && here.none() && accepts(planner_, pose)) {
+        if (motion.ends_anywhere && here.none() && is_in_free_cell(pose) &&
+            accepts(planner_, pose)) {
           next.effort += share * whole;
           return add_exit(std::move(next), pose, length);
         }
@@ -204,6 +205,12 @@ class DrivenWay {
     if (motion.ends_anywhere) return;
     next.pose = next.poses.back();
     add(std::move(next));
+  }
+
+  /// A point fits on the map's edge beside a blocked cell, from where nothing leads on.
+  bool is_in_free_cell(const Pose& pose) const {
+    const auto cell = cell_under(planner_.free_space(), pose.point());
+    return cell && !planner_.free_space().obstacles().blocked()[*cell];
   }
 
   void add_exit(Node node, const Pose& pose, double length) {
