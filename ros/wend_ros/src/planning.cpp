@@ -1,6 +1,7 @@
 #include "wend_ros/planning.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -96,7 +97,10 @@ nav_msgs::Path trajectory_message(const wend::Trajectory& trajectory, std::optio
                                   const std::string& frame_id) {
   nav_msgs::Path message = to_message(trajectory, frame_id, kTrajectoryPeriod);
   const wend::MapPose end = trajectory.at(trajectory.duration()).pose;
-  if (!heading || wend::normalized_angle(*heading - end.heading) == 0) return message;
+  constexpr double kNoTurn = 1e-6;  // rad
+  if (!heading || std::abs(wend::normalized_angle(*heading - end.heading)) < kNoTurn) {
+    return message;
+  }
   // Metres are the grid's units here.
   const auto turn = wend::Trajectory::along(
       wend::Path::through({{end.x, end.y, end.heading}, {end.x, end.y, *heading}}), wend::Frame{},

@@ -77,7 +77,8 @@ TEST(Planning, StampsTheTrajectoryByItsLimits) {
   Parameters parameters;
   EXPECT_EQ(parameters.set("speed", "2"), "");
   EXPECT_NE(parameters.set("acceleration", "0"), "");
-  const PlanResult result = planning.answer(parameters, ask({1.05, 1.05, 0}, {1.05, 7.05, 0}));
+  const PlanResult result =
+      planning.answer(parameters, ask({1.05, 1.05, 0}, {1.05, 7.05, wend::kPi / 2}));
   ASSERT_EQ(result.status, 0) << result.reason;
   const auto& poses = result.trajectory.poses;
   ASSERT_GT(poses.size(), 2U);
