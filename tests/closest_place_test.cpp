@@ -134,7 +134,7 @@ TEST_P(ClosestCell, IsTheNearestThatAFloodReachesAndTheCheapestOfThose) {
     }
     EXPECT_NEAR(answer->plan.cost, cheapest, 1e-9);
   }
-  EXPECT_GT(eased, 5);
+  EXPECT_GT(eased, test::share_of(5));
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, ClosestCell, ::testing::ValuesIn(planners_on_cells()),
@@ -196,7 +196,7 @@ TEST_P(ClosestPose, IsTheNearestThatPlansToEveryPlaceReach) {
       EXPECT_GE(*answer->remaining, least - 1e-9);
     }
   }
-  EXPECT_GT(eased, 3);
+  EXPECT_GT(eased, test::share_of(3));
 }
 
 INSTANTIATE_TEST_SUITE_P(
