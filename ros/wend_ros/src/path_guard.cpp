@@ -141,8 +141,8 @@ std::optional<std::string> PathGuard::why_blocked(const GuardedSpace& on, const 
   // Only a point can pass between two obstacles that touch at a corner, and its planner has been told so.
   constexpr auto kCorners = wend::Adjacency::edges_and_corners;
   const double escape = escape_ / on.space.map().frame().resolution;  // cells
-  const auto checked = wend::check_with_lead(wend::Path::through(std::move(poses)), on.space,
-                                             escape, kCorners);
+  const auto checked =
+      wend::check_with_lead(wend::Path::through(std::move(poses)), on.space, escape, kCorners);
   if (!checked.collision) return std::nullopt;
   return text_of(*checked.collision, on.space);
 }

@@ -139,7 +139,8 @@ TEST(PathGuard, LetsARobotLeaveAnObstacleThatItOverlapsAndNoFarther) {
 
 TEST(PathGuard, SweepsTheTurnBeforeALeg) {
   const auto robot = *wend::parse_footprint("[[0.8, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.8, -0.2]]");
-  const wend::FreeSpace space = space_with({{10, 36}}, robot);  // beside the beginning, 0.6 m to the left
+  const wend::FreeSpace space =
+      space_with({{10, 36}}, robot);  // beside the beginning, 0.6 m to the left
   EXPECT_FALSE(guard().why_blocked({space}, straight(), {0, 0}));
   EXPECT_FALSE(guard().why_blocked({space}, straight(), {0, 0, wend::MapPose{-2, 5, 0.05}}));
   EXPECT_TRUE(guard().why_blocked({space}, straight(), {0, 0, wend::MapPose{-2, 5, 2.5}}));

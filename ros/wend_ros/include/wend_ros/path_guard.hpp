@@ -58,7 +58,8 @@ struct GuardedSpace {
 struct RobotOnRoute {
   std::size_t leg = 0;
   double along_leg = 0;
-  std::optional<wend::MapPose> pose = {};  // in the route's frame; unset: it stands on the route and faces along it
+  std::optional<wend::MapPose> pose =
+      {};  // in the route's frame; unset: it stands on the route and faces along it
 };
 
 class PathGuard {
