@@ -100,6 +100,11 @@ static void check_plan(wend_session* session, const wend_request* request) {
   poses = wend_plan_poses(plan);
   CHECK(poses != NULL && poses[0].x == 0.25 && poses[6].x == 2.25);
   CHECK(wend_plan_cost(plan) == 6 && wend_plan_length(plan) == 3 && wend_plan_bound(plan) == 1);
+  CHECK(wend_plan_gears(plan)[0] == 1 && wend_plan_gears(plan)[5] == 1);
+  CHECK(fabs(wend_plan_start_shift(plan) -
+             hypot(request->start.x - poses[0].x, request->start.y - poses[0].y)) < 1e-12);
+  CHECK(fabs(wend_plan_goal_shift(plan) -
+             hypot(request->goals->x - poses[6].x, request->goals->y - poses[6].y)) < 1e-12);
   CHECK(wend_plan_expanded(plan) > 0 && wend_plan_generated(plan) >= wend_plan_expanded(plan));
   wend_plan_free(plan);
   CHECK(wend_session_replan(session, request, &plan, NULL) == WEND_OK);

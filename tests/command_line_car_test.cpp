@@ -345,8 +345,8 @@ TEST_F(CarOnARosMap, CountsInMetresAndNorthIsUp) {
 TEST_F(CarOnARosMap, SnapsToTheNearestCornerAndSaysByHowMuch) {
   const Outcome outcome = plan("1.6,2.5,10deg", "2,3,1.4rad");
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("start     (1,1,E), 0.1 m and 10 degrees from what was asked\n"),
-                    HasSubstr("goal      (2,2,N), 9.79 degrees from what was asked\n")));
+              AllOf(HasSubstr("start     (1.5,2.5,E) m, 0.1 m and 10 degrees from what was asked\n"),
+                    HasSubstr("goal      (2,3,N) m, 9.79 degrees from what was asked\n")));
   const json shifted = plan_json("1.6,2.5,10deg", "2,3,N");
   EXPECT_NEAR(shifted.at("start_shift").at("m").get<double>(), 0.1, 1e-9);
   EXPECT_NEAR(shifted.at("start_shift").at("degrees").get<double>(), 10, 1e-9);
@@ -364,7 +364,8 @@ TEST_F(CarOnARosMap, AnglesAreThoseOfTheMapsFrame) {
 TEST_F(CarOnARosMap, TalksInMetres) {
   EXPECT_THAT(plan("0,0,E", "2,3").err,
               HasSubstr("the start (0,0,E) m is outside the map, which covers x from 1 to 5 m"));
-  EXPECT_THAT(plan("1.5,2.5,E", "2,3", {"--robot-radius", "0.3"}).out, HasSubstr("Start (1,1,E)"));
+  EXPECT_THAT(plan("1.5,2.5,E", "2,3", {"--robot-radius", "0.3"}).out,
+              HasSubstr("Start (1.5,2.5,E) m"));
   folder_.write("map.pgm", "P2\n2 2\n255\n254 0 254 254\n");
   EXPECT_THAT(plan("1,2,E", "1.5,2.5,any").err,
               AllOf(HasSubstr("from (1,2,E) m to (1.5,2.5,any) m: "),
@@ -382,7 +383,7 @@ TEST_F(CarCommand, WritesFilesByTheirNames) {
   EXPECT_THAT(bytes_of(folder_ / "drive.svg"), HasSubstr("<svg"));
   EXPECT_THAT(bytes_of(folder_ / "drive.pdf"), StartsWith("%PDF"));
   EXPECT_THAT(bytes_of(folder_ / "drive.gif"), StartsWith("GIF89a"));
-  EXPECT_THAT(bytes_of(folder_ / "drive.csv"), StartsWith("x,y,heading,x_m,y_m,yaw\n1,0,E,"));
+  EXPECT_THAT(bytes_of(folder_ / "drive.csv"), StartsWith("x,y,heading,x_m,y_m,yaw,gear\n1,0,E,"));
   EXPECT_EQ(bytes_of(folder_ / "drive.json"), outcome.out);
 }
 

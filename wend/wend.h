@@ -366,6 +366,15 @@ WEND_C_API size_t wend_plan_pose_count(const wend_plan* plan);
 /// The poses from start to goal. Valid until the plan is freed; null for null. A pose on cells heads for the
 /// next one.
 WEND_C_API const wend_pose* wend_plan_poses(const wend_plan* plan);
+/// The gears of the pieces between the poses, one fewer than poses: 1 ahead, -1 in reverse, 0 for a turn in place. A
+/// piece between two poses is the arc that ends at the second with its heading, or a turn in place or a step to the
+/// side. Valid until the plan is freed; null for null.
+WEND_C_API const int32_t* wend_plan_gears(const wend_plan* plan);
+/// How far the path's first pose is from the start that was asked for, in metres: planners on cells begin in the middle
+/// of a cell, those on lattices at a vertex. NaN for null.
+WEND_C_API double wend_plan_start_shift(const wend_plan* plan);
+/// The same for the last pose and the goal that it is nearest to, tolerance included. 0 for a plan of a field.
+WEND_C_API double wend_plan_goal_shift(const wend_plan* plan);
 /// The cost of the path as the planner found it, before it was straightened: cells, times terrain. NaN for null.
 WEND_C_API double wend_plan_cost(const wend_plan* plan);
 /// The cost is at most this many times the cheapest one: 1 for an optimal path, infinity without a guarantee.

@@ -8,6 +8,7 @@
 // Where more is better, as for the clearance, it is the 1st: 1 of 100 queries lies below it.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,17 @@
 #include "wend/base/status.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/path/path.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 
 namespace wend {
+
+/// What a planner is asked, in grid coordinates.
+struct EasedEnds {
+  Pose start;
+  std::vector<Goal> goals;
+};
 
 /// One planner on one query. Without a path, the values that describe it are meaningless.
 struct ComparisonRow {
@@ -37,6 +45,11 @@ struct ComparisonRow {
   std::uint64_t generated = 0;
   std::uint64_t max_frontier = 0;  // the largest number of open states
   QueryTimes times{};
+  EasedEnds eased{};                 // the query without what the robot could not do
+  Path lead{};                       // the way out before what the planner was asked for
+  std::vector<std::string> notes{};  // a sentence for each end that was moved or led out
+  std::optional<double> remaining =
+      {};  // cells from the path's end to the nearest goal, if that was asked for
 
   bool found() const { return status == Status::found; }
 };
@@ -71,7 +84,8 @@ std::string comparison_table(const Comparison& comparison);
 /// ...}]}; clearances and the turning radius have "p1" instead of "p99". A failure has a "reason".
 /// Its unknown values are null, as are infinite values.
 /// `cost_ratio` is to the cheapest cost that any planner found. A query with several goals has "goals", a
-/// list, instead of "goal"; one with tolerances has "goal_tolerance_cells". Start and goal are cells [x,y];
+/// list, instead of "goal"; where the ends were eased (Leeway), a planner has "notes", and "remaining_cells" and
+/// "remaining_m"; one with tolerances has "goal_tolerance_cells". Start and goal are cells [x,y];
 /// for cars they are [x,y,"E"] in grid coordinates (a heading that is not one of the four is in
 /// radians; "any": any heading), and rows also have "steps" and "reversals". One line with its line
 /// end.

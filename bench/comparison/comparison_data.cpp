@@ -23,6 +23,11 @@ Json row_json(const Comparison& comparison, const ComparedQuery& query, std::siz
     if (!measure.of_path || measure.key == kRatio) continue;
     json[std::string(measure.key)] = measure.of(comparison, query, planner);
   }
+  if (row.remaining) {
+    json["remaining_cells"] = *row.remaining;
+    json["remaining_m"] = *row.remaining * comparison.frame.resolution;
+  }
+  if (!row.notes.empty()) json["notes"] = row.notes;
   json["metrics"] = json_of(SearchMetrics{row.expanded, row.generated, row.max_frontier});
   json["times"] = {{"preparation_us", in_microseconds(row.times.preparation)},
                    {"first_query_us", in_microseconds(row.times.first)},

@@ -6,8 +6,11 @@
 #include <utility>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/eased_query.hpp"
+#include "wend/session/explainer.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
 
 namespace wend {
@@ -80,7 +83,7 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
     row.reason = error->message;
     return row;
   }
-  row.status = timed.answer(query, plan_, row.times);
+  row.status = plan_eased(timed, query, row);
   row.cost = plan_.cost;
   row.expanded = plan_.metrics.expanded;
   row.generated = plan_.metrics.generated;
@@ -89,7 +92,32 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
     if (comparison_.capabilities.headings) row.reason = timed.planner()->reason(query, row.status);
     return row;
   }
-  const auto measured = measure(plan_.path, space_);
+  describe(plan_.path, space_, row);
+  return row;
+}
+
+/// Leads the start out and moves the ends, as far as that is allowed: that is not timed.
+Status ComparisonRun::plan_eased(TimedPlanner& timed, const Query& query, ComparisonRow& row) {
+  const Units units(space_.map());
+  Explainer explainer(space_, units, timed.planner()->grid_moves().value_or(GridMoves{}), {});
+  explainer.allow(leeway_);
+  const auto ease = [&] { return EasedQuery(query, *timed.planner(), explainer, units, leeway_); };
+  const Query asked = ease().query();
+  Status status = timed.answer(asked, plan_, row.times);
+  EasedQuery eased = ease();  // the first answer is that of another planner, which is gone
+  if (eased.ease_goals(status)) status = timed.answer(eased.query(), plan_, row.times);
+  row.eased = {eased.query().start, eased.query().goals};
+  row.lead = eased.lead();
+  if (status != Status::found) return status;
+  eased.finish(plan_);
+  begin_with(row.lead, plan_, space_.map().frame());
+  row.notes = eased.notes();
+  row.remaining = eased.remaining();
+  return status;
+}
+
+void ComparisonRun::describe(const Path& path, const FreeSpace& space, ComparisonRow& row) {
+  const auto measured = measure(path, space);
   assert(measured);  // a planner's path
   const PathMetrics& metrics = *measured;
   row.length = metrics.length;
@@ -97,16 +125,15 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
   row.largest_curvature = 1 / metrics.rounded_turning_radius;
   row.smallest_clearance = metrics.smallest_clearance;
   row.mean_clearance = metrics.mean_clearance;
-  row.steps = plan_.path.size() - 1;
+  row.steps = path.size() - 1;
   row.reversals = static_cast<std::uint64_t>(metrics.reversals);
-  return row;
 }
 
 /// Repeats a search as far as it went: a search that the clock stopped may go no further.
 Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver* observer) const {
-  const ComparedQuery& asked = comparison_.queries[query];
-  Query same{asked.start, asked.goals};
-  same.limits.expansions = asked.rows[planner].expanded;
+  const ComparisonRow& row = comparison_.queries[query].rows[planner];
+  Query same{row.eased.start, row.eased.goals};
+  same.limits.expansions = row.expanded;
   same.observer = observer;
   Plan plan;
   if (Planner* const made = planners_[planner].planner()) made->plan(same, plan);
@@ -126,7 +153,9 @@ SearchRecorder ComparisonRun::record(std::size_t planner, std::size_t query) con
 }
 
 Path ComparisonRun::path(std::size_t planner, std::size_t query) const {
-  return again(planner, query, nullptr).path;
+  Path path = again(planner, query, nullptr).path;
+  const Path& lead = comparison_.queries[query].rows[planner].lead;
+  return path.empty() || lead.empty() ? path : joined(lead, path);
 }
 
 }  // namespace wend

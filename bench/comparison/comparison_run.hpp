@@ -24,6 +24,7 @@
 #include "wend/base/limits.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/leeway.hpp"
 
 namespace wend {
 
@@ -33,6 +34,9 @@ class ComparisonRun {
   /// cannot be made for another reason answers every query with that reason.
   static Expected<ComparisonRun, Error> make(const FreeSpace& space, std::vector<PlannerSpec> specs,
                                              const Clock& clock, const RepetitionRule& rule = {});
+
+  /// What queries may do from now on where the robot cannot be; valid.
+  void allow(const Leeway& leeway) { leeway_ = leeway; }
 
   /// Adds every planner's answer to one query to the comparison. Limits apply to each run of each
   /// planner.
@@ -60,11 +64,14 @@ class ComparisonRun {
   explicit ComparisonRun(FreeSpace space) : space_(std::move(space)) {}
 
   ComparisonRow answer_of(std::size_t planner, const Query& query);
+  Status plan_eased(TimedPlanner& timed, const Query& query, ComparisonRow& row);
+  static void describe(const Path& path, const FreeSpace& space, ComparisonRow& row);
   Plan again(std::size_t planner, std::size_t query, SearchObserver* observer) const;
 
   FreeSpace space_;
   std::vector<PlannerSpec> specs_;
   std::vector<TimedPlanner> planners_;  // the same
+  Leeway leeway_;
   Comparison comparison_;
   Plan plan_;
 };

@@ -9,6 +9,7 @@
 
 #include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
+#include "wend/base/thread_time.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/planner/planners.hpp"
@@ -102,6 +103,24 @@ TEST(RandomDrives, FaceAllWaysAndComeAgainWithTheSameSeed) {
   for (std::size_t i = 0; i < drives.size(); ++i) EXPECT_EQ(drives[i].start, again[i].start);
   EXPECT_TRUE(random_drives(test::drawn_space("##\n"), 1, 5, 1).empty());
   EXPECT_TRUE(random_drives(space, 5, 5, 1).empty()) << "no room for the lattice";
+}
+
+TEST(ComparisonRun, EndsAtTheClosestPlaceAndLeadsOut) {
+  const FreeSpace space = test::drawn_space("#...#..");
+  auto run = ComparisonRun::make(space, *parse_planner_specs("astar,bfs"), thread_cpu_seconds);
+  ASSERT_TRUE(run);
+  run->answer(CellPair{{0, 0}, {6, 0}});
+  run->allow({.escape = 1, .closest = true});
+  run->answer(CellPair{{0, 0}, {6, 0}});
+  for (std::size_t planner = 0; planner < 2; ++planner) {
+    EXPECT_FALSE(run->comparison().queries[0].rows[planner].found());
+    const ComparisonRow& row = run->comparison().queries[1].rows[planner];
+    ASSERT_TRUE(row.found()) << row.reason;
+    EXPECT_EQ(row.remaining, 3);
+    EXPECT_EQ(row.steps, 3U);
+    EXPECT_EQ(row.notes.size(), 2U);
+    EXPECT_EQ(run->path(planner, 1), Path({{0, 0}, {1, 0}, {2, 0}, {3, 0}}));
+  }
 }
 
 TEST(ComparisonRun, SaysOfEveryPlannerWhatItsPlanSays) {

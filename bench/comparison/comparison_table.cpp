@@ -58,24 +58,41 @@ Column column_of(const Comparison& comparison, const ComparedQuery& query, const
   return column;
 }
 
-/// A line for each status and reason, with the planners that failed with it first.
-std::string failures_of(const ComparedQuery& query) {
-  std::vector<std::pair<std::string, std::string>> lines;  // why, the planners
+/// What was said of planners: a line for each text, with the planners of which it was said first.
+class SaidOfPlanners {
+ public:
+  void add(const std::string& planner, std::string what) {
+    const auto line = std::ranges::find(lines_, what, &Line::first);
+    if (line == lines_.end()) {
+      lines_.emplace_back(std::move(what), planner);
+    } else {
+      line->second += ", " + planner;
+    }
+  }
+
+  std::string text() const {
+    std::string text;
+    for (const auto& [what, planners] : lines_) text += fmt::format("{}: {}\n", planners, what);
+    return text;
+  }
+
+ private:
+  using Line = std::pair<std::string, std::string>;
+  std::vector<Line> lines_;
+};
+
+/// Why planners failed, and what was done where the robot cannot be.
+std::string remarks_of(const ComparedQuery& query) {
+  SaidOfPlanners notes;
+  SaidOfPlanners failures;
   for (const ComparisonRow& row : query.rows) {
+    for (const std::string& note : row.notes) notes.add(row.planner, note);
     if (row.found()) continue;
     std::string why(to_string(row.status));
     if (!row.reason.empty()) why += ": " + row.reason;
-    const auto line = std::find_if(lines.begin(), lines.end(),
-                                   [&](const auto& each) { return each.first == why; });
-    if (line == lines.end()) {
-      lines.emplace_back(std::move(why), row.planner);
-    } else {
-      line->second += ", " + row.planner;
-    }
+    failures.add(row.planner, std::move(why));
   }
-  std::string text;
-  for (const auto& [why, planners] : lines) text += fmt::format("{}: {}\n", planners, why);
-  return text;
+  return notes.text() + failures.text();
 }
 
 /// Is the measure in the user's unit?
@@ -149,7 +166,7 @@ std::string table_of_one(const Comparison& comparison) {
   const std::vector<Column> searches = columns_of_one(comparison, false);
   const bool marked = has_marks(paths) || has_marks(searches);
   std::string text =
-      tables_of(query, paths) + "\n" + tables_of(query, searches) + failures_of(query);
+      tables_of(query, paths) + "\n" + tables_of(query, searches) + remarks_of(query);
   if (marked) text += "* best of its column\n";
   text += curvature_note();
   return text.append(times_note());

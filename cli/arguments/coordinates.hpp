@@ -51,6 +51,13 @@ class Coordinates : public Units {
   /// Converts a point from the user's units to grid coordinates, without rounding errors at vertices.
   Point in_grid(TypedPoint typed) const;
 
+  /// The map's frame for texts of poses: not metric where the user's unit is a cell.
+  Frame frame_of_texts() const {
+    Frame texts = frame();
+    texts.metric = metric();
+    return texts;
+  }
+
   /// The user's unit of length.
   LengthUnit unit() const { return metric() ? metres_of(frame()) : LengthUnit{}; }
 };

@@ -73,7 +73,14 @@ void RefineArguments::add_to(Parser& app) {
       "Lower limit on the turning radius (units as --robot-radius), for --planner "
       "hybrid_astar, --planner lattice, --planner car, where it is rounded up to whole cells, or "
       "--smoother curvature");
+  add_max_distance(app, max_distance);
   app.add_flag("--unsafe", unsafe, wrapped("Smooth without a collision check"));
+}
+
+void add_max_distance(Parser& app, std::optional<double>& distance) {
+  add_number(app, "--max-distance", distance, kRoundings,
+             "How far smoothing may lead from the given path (units as --robot-radius; default any "
+             "distance; --smoother curvature: twice the turning radius)");
 }
 
 void RefineArguments::add_points_to(Parser& app) {
@@ -108,6 +115,7 @@ std::optional<SmootherChoice> RefineArguments::smoother_choice(
     const Coordinates& coordinates) const {
   if (!smooth && smoother.empty()) {
     if (unsafe) throw InputError("--unsafe needs --smooth");
+    if (max_distance) throw InputError("--max-distance needs --smooth");
     return std::nullopt;
   }
   SmootherChoice choice = smoother.empty() ? SmootherChoice{} : parse_smoother(smoother);
@@ -125,6 +133,7 @@ Refinement RefineArguments::refinement(const Coordinates& coordinates) const {
   Refinement refinement;
   if (simplify) refinement.simplify = simplification_of(*simplify, coordinates);
   refinement.smoother = smoother_choice(coordinates);
+  if (max_distance) refinement.max_distance = coordinates.in_cells(*max_distance);
   if (resample) refinement.spacing = coordinates.in_cells(*resample);
   return refinement;
 }
@@ -178,7 +187,7 @@ std::vector<SceneLine> lines_of(const RefinedPath& path) {
 
 std::string refined_text(const RefinedPath& path, const Coordinates& coordinates) {
   const std::vector<MeasuredPath> paths{path.measured_before, path.measured_after};
-  return metrics_table(paths, coordinates.unit()) + smoothing_text(path);
+  return metrics_table(paths, coordinates.unit()) + smoothing_text(path, coordinates.unit());
 }
 
 }  // namespace wend::cli

@@ -25,6 +25,7 @@ struct RefineArguments {
   // In the user's units.
   std::optional<double> turning_radius;
   std::optional<double> resample;
+  std::optional<double> max_distance;
   std::optional<double> corner_rounding;
 
   /// All of them, for paths that are planned.
@@ -49,6 +50,9 @@ struct RefineArguments {
  private:
   std::optional<SmootherChoice> smoother_choice(const Coordinates& coordinates) const;
 };
+
+/// --max-distance.
+void add_max_distance(Parser& app, std::optional<double>& distance);
 
 /// --corner-rounding, and what it is in cells.
 void add_corner_rounding(Parser& app, std::optional<double>& rounding);

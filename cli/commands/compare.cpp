@@ -12,6 +12,7 @@
 #include "bench/comparison/comparison_plot.hpp"
 #include "bench/comparison/comparison_run.hpp"
 #include "cli/arguments/flags.hpp"
+#include "cli/arguments/leeway_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/arguments/search_arguments.hpp"
@@ -36,6 +37,7 @@ struct CompareArguments {
   std::uint64_t random = 0;
   std::uint64_t seed = 1;
   LimitArguments limits;
+  LeewayArguments leeway;
   TableFormat format = TableFormat::text;
   StyleName style = StyleName::light;
   OutputFiles output;
@@ -160,7 +162,8 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
     for (std::size_t i = 0; i < query.rows.size(); ++i) {
       ComparisonRow& row = query.rows[i];
       const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
-      const Explainer explainer = explainer_for(space, coordinates, run.grid_moves(i));
+      Explainer explainer = explainer_for(space, coordinates, run.grid_moves(i));
+      explainer.allow(arguments.leeway.leeway(coordinates));
       if (is_limit(row.status)) {
         row.reason = explainer.stopped(row.status, limits, metrics);
       } else if (!row.found() && row.reason.empty()) {
@@ -249,6 +252,7 @@ int run(const CompareArguments& arguments) {
   auto made = ComparisonRun::make(space, std::move(specs), thread_cpu_seconds);
   if (!made) throw InputError(made.error().message);
   ComparisonRun& run = *made;
+  run.allow(arguments.leeway.leeway(arguments.map.coordinates(loaded.map)));
   answer_all(run, queries_of(run, arguments, space), arguments.limits);
   give_reasons(run, arguments, space);
   print(text_of(run.comparison(), arguments.format));
@@ -270,6 +274,8 @@ Command add_compare(Parser& app) {
             "Goal, as in `wend plan`; if given several times, the goal with the lowest path cost")
       .type_name("X,Y[,HEADING]");
   add_goal_tolerance(compare, arguments->ends.tolerance);
+  arguments->leeway.add_ends_to(compare);
+  arguments->leeway.add_escape_to(compare);
   compare
       .add_option(
           "--planner", arguments->planners,
@@ -293,8 +299,10 @@ Command add_compare(Parser& app) {
       .type_name(kFileType);
   compare.footer(kCompareExamples);
   return {compare, [compare, arguments] {
+            arguments->leeway.check(compare);
             if (compare.given("--random")) {
               refuse_idle(compare, {"--goal-tolerance"}, "it needs --goal X,Y");
+              refuse_idle(compare, {"--nearest", "--closest", "--escape"}, "it needs --goal X,Y");
               check_positive("--random", arguments->random);
             } else {
               refuse_idle(compare, {"--seed"}, "it needs --random N");

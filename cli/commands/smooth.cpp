@@ -35,6 +35,7 @@ struct SmoothArguments {
   std::string smoother = "gradient";
   OptionFlags options{"smoother"};
   std::optional<double> turning_radius;  // in the user's units
+  std::optional<double> max_distance;    // the same
   RefineArguments points;
   TrajectoryArguments trajectory;
   Format format = Format::text;
@@ -58,7 +59,8 @@ reason), 2 bad usage or input.)";
 
 /// Options that the command sets with flags of its own.
 bool is_said_by_a_flag(const OptionInfo& option) {
-  return option.name == "squeeze" || option.name == "radius" || option.name == "turning_radius";
+  return option.name == "squeeze" || option.name == "radius" || option.name == "turning_radius" ||
+         option.name == "max_distance";
 }
 
 bool is_unsafe(const SmootherChoice& choice) {
@@ -75,6 +77,8 @@ std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
     arguments.options.values_for(arguments.smoother);  // refuses them
     if (arguments.turning_radius)
       throw InputError("--turning-radius has no effect with --smoother none");
+    if (arguments.max_distance)
+      throw InputError("--max-distance has no effect with --smoother none");
     return std::nullopt;
   }
   SmootherChoice choice = parse_smoother(arguments.smoother);
@@ -180,6 +184,9 @@ int run(const SmoothArguments& arguments) {
   Refinement refinement = arguments.points.refinement(coordinates);
   refinement.adjacency = arguments.moves.adjacency();
   refinement.smoother = smoother_of(arguments, coordinates);
+  if (arguments.max_distance) {
+    refinement.max_distance = coordinates.in_cells(*arguments.max_distance);
+  }
   if (const auto collision = collision_of(path, space, refinement)) {
     refuse_collision(arguments, space, path, *collision, coordinates);
   }
@@ -216,6 +223,7 @@ void add_smoothers(Parser& app, SmoothArguments& arguments) {
       app, "--turning-radius", arguments.turning_radius, kSmoothedRadii,
       "Lower limit on the turning radius, for --smoother curvature and --smoother drive (units as "
       "--robot-radius)");
+  add_max_distance(app, arguments.max_distance);
   arguments.points.add_points_to(app);
   arguments.trajectory.add_file_to(app);
   arguments.trajectory.add_limits_to(app);

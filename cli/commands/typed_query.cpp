@@ -52,6 +52,7 @@ CellQuery::CellQuery(FreeSpace space, const Coordinates& coordinates, const EndA
     : space_(std::move(space)),
       coordinates_(coordinates),
       start_(coordinates_.parse("start", ends.start)),
+      start_point_(coordinates_.parse_in_grid("start", ends.start)),
       tolerance_(parse_goal_tolerance(coordinates_, ends.tolerance)) {
   for (const std::string& goal : ends.goals) {
     goals_.push_back(coordinates_.parse("goal", goal));
@@ -71,10 +72,8 @@ std::vector<Cell> CellQuery::goal_cells() const {
 }
 
 Query CellQuery::query() const {
-  Query query{pose_at(start_.cell), {}};
-  for (std::size_t i = 0; i < goals_.size(); ++i) {
-    const bool near = tolerance_.distance > 0;
-    const Point point = near ? points_[i] : centre_of(goals_[i].cell);
+  Query query{{start_point_.x, start_point_.y}, {}};
+  for (const Point point : points_) {
     query.goals.emplace_back(Pose{point.x, point.y}, tolerance_.distance);
   }
   return query;
@@ -87,7 +86,10 @@ void CellQuery::move_ends(const EasedQuery& eased) {
   const auto place = [this](const std::string& name, Point point) {
     return coordinates_.place(name, cell_at(point));
   };
-  if (eased.start_moved()) start_ = place("start", eased.query().start.point());
+  if (eased.start_moved()) {
+    start_point_ = eased.query().start.point();
+    start_ = place("start", start_point_);
+  }
   for (std::size_t i = 0; i < goals_.size(); ++i) {
     const Point moved = eased.query().goals[i].point;
     if (moved == asked.goals[i].point) continue;
@@ -131,7 +133,8 @@ std::string CellQuery::summary(const PlanResult& result) const {
   if (goals_.size() > 1) {
     goal = goal_line(coordinates_.text(cell_at(result.plan.path.points().back())), goals_.size());
   }
-  return goal + robot_line(result) + plan_summary(result, space_.map().frame());
+  return goal + shift_line(result.plan, coordinates_) + robot_line(result) +
+         plan_summary(result, space_.map().frame());
 }
 
 PoseQuery::PoseQuery(FreeSpace space, const Coordinates& coordinates, int unit,
@@ -200,7 +203,7 @@ PosthocTrace PoseQuery::trace(TraceForm form, std::uint64_t most_events) const {
 std::string PoseQuery::steps(const Plan& plan, const Screen& /*screen*/) const {
   constexpr std::size_t kMostCommands = 400;
   if (unit_ == 0 && plan.moves.size() > kMostCommands) return "";
-  return drive_commands(plan, space_.map().frame());
+  return drive_commands(plan, coordinates_.frame_of_texts());
 }
 
 std::string PoseQuery::summary(const PlanResult& result) const {

@@ -103,6 +103,7 @@ class CellQuery final : public TypedQuery {
   FreeSpace space_;
   Coordinates coordinates_;
   Place start_;
+  Point start_point_;  // in grid coordinates
   std::vector<Place> goals_;
   std::vector<Point>
       points_;  // the same as typed; where --nearest moved one, the middle of its cell

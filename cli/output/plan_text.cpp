@@ -86,8 +86,8 @@ std::string end_line(std::string_view name, const Pose& pose, const SnappingErro
     remarks.push_back(std::move(shifted));
   }
   if (remarks.empty()) return {};
-  return named_line(
-      name, fmt::format("{}, {}", pose_text(pose, coordinates.frame()), fmt::join(remarks, ", ")));
+  return named_line(name, fmt::format("{}, {}", pose_text(pose, coordinates.frame_of_texts()),
+                                      fmt::join(remarks, ", ")));
 }
 
 /// "map 1.20 ms, free space 540.0 us, planner 3.2 us"
@@ -136,6 +136,17 @@ std::string path_line(const Path& path) {
 
 std::string goal_line(const std::string& goal, std::size_t goals) {
   return named_line("goal", fmt::format("{}, {}", goal, one_of(goals)));
+}
+
+std::string shift_line(const Plan& plan, const Coordinates& coordinates) {
+  std::vector<std::string> parts;
+  for (const auto& [name, error] : {std::pair("start", plan.start_snapping_error),
+                                    std::pair("goal", plan.goal_snapping_error)}) {
+    const std::string text = snapping_error_text(error, coordinates);
+    if (!text.empty()) parts.push_back(fmt::format("the {} {}", name, text));
+  }
+  if (parts.empty()) return {};
+  return named_line("ends", fmt::format("in the middles of cells: {}", fmt::join(parts, ", ")));
 }
 
 std::string robot_line(const PlanResult& result) {

@@ -19,6 +19,9 @@ std::string path_line(const Path& path);
 /// Which of several goals was reached: a line.
 std::string goal_line(const std::string& goal, std::size_t goals);
 
+/// How far the ends of a path of cells are from what was asked, with its line end; empty if they are there.
+std::string shift_line(const Plan& plan, const Coordinates& coordinates);
+
 /// A line that says that a planner without headings used the disc around the robot's polygon; empty
 /// for any other robot.
 std::string robot_line(const PlanResult& result);

@@ -18,6 +18,7 @@
 #include "python/src/bindings.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/simulation.hpp"
+#include "wend/path/gears.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
@@ -94,7 +95,7 @@ nb::dict quality_of(const Planned& plan) {
 
 Planned smoothed(const Planned& plan, std::optional<std::string> smoother,
                  std::optional<std::string_view> simplify, std::optional<double> spacing,
-                 const nb::dict& options) {
+                 std::optional<double> max_distance, const nb::dict& options) {
   Refinement refinement{.adjacency = plan.adjacency()};
   if (smoother) refinement.smoother = SmootherChoice{*std::move(smoother), options_of(options)};
   if (simplify) {
@@ -106,6 +107,10 @@ Planned smoothed(const Planned& plan, std::optional<std::string> smoother,
   if (spacing) {
     check_length(*spacing, "spacing", false);
     refinement.spacing = *spacing / resolution;
+  }
+  if (max_distance) {
+    check_length(*max_distance, "max_distance", true);
+    refinement.max_distance = *max_distance / resolution;
   }
   Planned result{plan.answer};
   {
@@ -223,6 +228,9 @@ void bind_plan(nb::module_& module) {
       .def_prop_ro("notes", [](const Planned& plan) { return plan.answer.notes; })
       .def_prop_ro("lead_out", &lead_out_of)
       .def_prop_ro("remaining", [](const Planned& plan) { return plan.answer.remaining; })
+      .def_prop_ro("start_shift", [](const Planned& plan) { return plan.answer.start_shift(); })
+      .def_prop_ro("goal_shift", [](const Planned& plan) { return plan.answer.goal_shift(); })
+      .def_prop_ro("gears", [](const Planned& plan) { return gears_of(plan.path()); })
       .def_prop_ro("moves",
                    [](const Planned& plan) {
                      return std::vector<std::string>(plan.answer.plan.moves.begin(),
@@ -231,7 +239,7 @@ void bind_plan(nb::module_& module) {
       .def("map", [](const Planned& plan) { return plan.answer.space.map(); })
       .def("quality", &quality_of)
       .def("smooth", &smoothed, nb::arg("smoother").none(), nb::arg("simplify").none(),
-           nb::arg("spacing").none(), nb::arg("options"))
+           nb::arg("spacing").none(), nb::arg("max_distance").none(), nb::arg("options"))
       .def("trajectory", &timed, nb::arg("limits"), nb::arg("corner_rounding").none())
       .def("follow", &follow, nb::arg("controller").none(), nb::arg("options"), nb::arg("model"),
            nb::arg("simulation"), nb::arg("follower"));

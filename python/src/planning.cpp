@@ -20,6 +20,8 @@
 #include "python/src/trace.hpp"
 #include "wend/base/thread_workers.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/eased_query.hpp"
+#include "wend/session/explainer.hpp"
 
 namespace nb = nanobind;
 
@@ -53,6 +55,23 @@ SearchSettings settings_of(std::string planner, const nb::dict& options,
   return settings;
 }
 
+/// What Python says a query may do where the robot cannot be.
+struct LeewaySettings {
+  bool nearest = false;
+  std::optional<double> nearest_limit;
+  double escape = 0;
+  bool closest = false;
+};
+
+void allow(PlanRequest& request, const LeewaySettings& leeway) {
+  request.nearest = leeway.nearest;
+  if (leeway.nearest_limit) {
+    request.nearest_limit = not_negative(*leeway.nearest_limit, "nearest_limit");
+  }
+  request.escape = not_negative(leeway.escape, "escape");
+  request.closest = leeway.closest;
+}
+
 MapGoal goal_of(nb::handle goal) {
   const Coordinates at = coordinates_of(goal, "goal");
   MapGoal read;
@@ -82,10 +101,7 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
   PlanRequest request =
       request_of(start, goals, settings_of(std::move(planner), options, time_limit, expansions),
                  tolerance, heading_tolerance);
-  request.nearest = nearest;
-  if (nearest_limit) request.nearest_limit = not_negative(*nearest_limit, "nearest_limit");
-  request.escape = not_negative(escape, "escape");
-  request.closest = closest;
+  allow(request, {nearest, nearest_limit, escape, closest});
   request.observer = recording;
   if (keep) request.keep = not_negative(*keep, "keep");
   const Session::View view = space.view();
@@ -102,7 +118,8 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
 /// A list of Plan, or of exceptions where there is none.
 nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& goals,
                    std::string planner, const nb::dict& options, std::optional<double> time_limit,
-                   std::optional<std::int64_t> expansions, unsigned threads) {
+                   std::optional<std::int64_t> expansions, unsigned threads, bool nearest,
+                   std::optional<double> nearest_limit, double escape, bool closest) {
   const SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
   Interrupts interrupts;
   std::vector<PlanRequest> requests;
@@ -114,6 +131,7 @@ nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& g
     request.limits = settings.limits;
     request.limits.cancel = &interrupts.cancelled();
     request.explain = false;
+    allow(request, {nearest, nearest_limit, escape, closest});
   }
   using Answers = std::vector<Expected<PlanAnswer, RequestFailure>>;
   Expected<Answers, Error> answers;
@@ -139,16 +157,22 @@ nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& g
 /// The search of an anytime planner, which goes on when its next path is asked for.
 class Solutions {
  public:
-  Solutions(FreeSpace space, PlanRequest request) : space_(std::move(space)) {
-    interrupts_.watch(request.limits);
-    request.on_solution = [this](const Plan& /*plan*/) { told_ = true; };
-    planner_ = value_or_throw(make_planner(request.planner.name, space_, request.planner.options));
+  Solutions(FreeSpace space, PlanRequest request)
+      : space_(std::move(space)), request_(std::move(request)) {
+    interrupts_.watch(request_.limits);
+    request_.on_solution = [this](const Plan& /*plan*/) { told_ = true; };
+    planner_ =
+        value_or_throw(make_planner(request_.planner.name, space_, request_.planner.options));
     if (!planner_->anytime()) {
       throw_failure(Status::invalid_option,
-                    request.planner.name + " is not an anytime planner: it finds one path",
+                    request_.planner.name + " is not an anytime planner: it finds one path",
                     "planner");
     }
-    query_ = query_of(request, space_.map().frame());
+    const Units units(space_.map());
+    explainer_.emplace(space_, units, planner_->grid_moves().value_or(GridMoves{}), Hints{});
+    explainer_->allow(request_.leeway());
+    eased_.emplace(query_of(request_, space_.map().frame()), *planner_, *explainer_, units,
+                   request_.leeway());
   }
 
   /// The next path; nothing after the last one. Throws Failed if there is none at all.
@@ -163,25 +187,49 @@ class Solutions {
     interrupts_.throw_if_interrupted();
     over_ = outcome.has_value();
     if (outcome && *outcome != Status::found) {
-      throw Failed(PlanFailure{{*outcome, planner_->reason(query_, *outcome)}, plan_.metrics});
+      throw Failed(
+          PlanFailure{{*outcome, planner_->reason(eased_->query(), *outcome)}, plan_.metrics});
     }
     if (!told_) return std::nullopt;
-    return Planned{{.space = space_, .plan = plan_, .moves = planner_->grid_moves()}};
+    return answer();
   }
 
  private:
   std::optional<Status> to_next_path() {
-    std::optional<Status> outcome;
-    if (!begun_) outcome = planner_->begin(query_, plan_);
+    if (begun_) return search({});
     begun_ = true;
+    auto outcome = search(planner_->begin(eased_->query(), plan_));
+    const bool failed = outcome && *outcome != Status::found;
+    if (failed && eased_->ease_goals(*outcome)) {
+      outcome = search(planner_->begin(eased_->query(), plan_));
+    }
+    return outcome;
+  }
+
+  std::optional<Status> search(std::optional<Status> outcome) {
     while (!outcome && !told_) outcome = planner_->step(plan_);
     return outcome;
   }
 
+  Planned answer() const {
+    EasedQuery eased = *eased_;  // each path has its own notes
+    PlanAnswer answer{.space = space_, .plan = plan_, .moves = planner_->grid_moves()};
+    eased.finish(answer.plan);
+    answer.notes = eased.notes();
+    answer.lead_out = eased.lead_out();
+    if (const auto remaining = eased.remaining()) {
+      answer.remaining = *remaining * space_.map().frame().resolution;
+    }
+    finish_path(answer, request_, eased.lead());
+    return {std::move(answer)};
+  }
+
   FreeSpace space_;
+  PlanRequest request_;
   Interrupts interrupts_;
   std::unique_ptr<Planner> planner_;
-  Query query_;
+  std::optional<Explainer> explainer_;
+  std::optional<EasedQuery> eased_;
   Plan plan_;
   bool begun_ = false;
   bool told_ = false;
@@ -191,12 +239,13 @@ class Solutions {
 std::unique_ptr<Solutions> solutions(const Space& space, nb::handle start, const nb::list& goals,
                                      std::string planner, const nb::dict& options,
                                      std::optional<double> time_limit,
-                                     std::optional<std::int64_t> expansions, double tolerance,
-                                     double heading_tolerance) {
+                                     std::optional<std::int64_t> expansions, bool nearest,
+                                     std::optional<double> nearest_limit, double escape,
+                                     bool closest, double tolerance, double heading_tolerance) {
   SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
-  return std::make_unique<Solutions>(
-      space.view().space,
-      request_of(start, goals, std::move(settings), tolerance, heading_tolerance));
+  PlanRequest request = request_of(start, goals, std::move(settings), tolerance, heading_tolerance);
+  allow(request, {nearest, nearest_limit, escape, closest});
+  return std::make_unique<Solutions>(space.view().space, std::move(request));
 }
 
 }  // namespace
@@ -215,10 +264,12 @@ void bind_planning(nb::class_<Space>& space) {
            nb::arg("recording").none(), nb::arg("keep").none())
       .def("solutions", &solutions, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
-           nb::arg("tolerance"), nb::arg("heading_tolerance"))
+           nb::arg("nearest"), nb::arg("nearest_limit").none(), nb::arg("escape"),
+           nb::arg("closest"), nb::arg("tolerance"), nb::arg("heading_tolerance"))
       .def("plan_many", &plan_many, nb::arg("starts"), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
-           nb::arg("threads"));
+           nb::arg("threads"), nb::arg("nearest"), nb::arg("nearest_limit").none(),
+           nb::arg("escape"), nb::arg("closest"));
 }
 
 }  // namespace wend::python

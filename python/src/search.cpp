@@ -14,6 +14,8 @@
 #include "python/src/plan.hpp"
 #include "python/src/registry.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/eased_query.hpp"
+#include "wend/session/explainer.hpp"
 
 namespace nb = nanobind;
 
@@ -73,6 +75,13 @@ nb::list tuples_of(std::span<const Cell> cells, bool row_first) {
   return tuples;
 }
 
+/// Lengths are in cells.
+Leeway leeway_of(double escape, bool closest) {
+  const Leeway leeway{escape, false, {}, closest};
+  if (auto fault = fault_of(leeway)) throw Failed(*std::move(fault));
+  return leeway;
+}
+
 bool means_no_path(Status status) {
   return status == Status::unreachable || status == Status::start_blocked ||
          status == Status::goal_blocked || status == Status::step_limit;
@@ -102,14 +111,17 @@ void check_steps(const Planner& planner, const std::string& name, int connectivi
 
 /// A list of tuples, or None.
 nb::object search(nb::handle world, nb::handle robot_pose, nb::handle goal_pose,
-                  const std::string& planner, bool row_first, int connectivity,
-                  const nb::dict& options) {
+                  const std::string& planner, bool row_first, int connectivity, double escape,
+                  bool closest, const nb::dict& options) {
+  const Leeway leeway = leeway_of(escape, closest);
   const PlannerSpec spec = spec_of(planner, connectivity, options);
   const FreeSpace space = space_of(world);
   const Cell start = cell_of(robot_pose, "robot_pose", row_first, space);
   const Cell goal = cell_of(goal_pose, "goal_pose", row_first, space);
   const auto made = value_or_throw(make_planner(spec.name, space, spec.options));
   check_steps(*made, planner, connectivity);
+  const Units units(space.map());
+  const Explainer explainer(space, units, made->grid_moves().value_or(GridMoves{}), {});
   Query query = Query::between(start, goal);
   Interrupts interrupts;
   interrupts.watch(query.limits);
@@ -117,7 +129,11 @@ nb::object search(nb::handle world, nb::handle robot_pose, nb::handle goal_pose,
   Status status = Status::found;
   {
     const nb::gil_scoped_release unlocked;
-    status = made->plan(query, plan);
+    EasedQuery eased(std::move(query), *made, explainer, units, leeway);
+    status = made->plan(eased.query(), plan);
+    if (eased.ease_goals(status)) status = made->plan(eased.query(), plan);
+    if (status == Status::found) begin_with(eased.lead(), plan, space.map().frame());
+    query = eased.query();
   }
   interrupts.throw_if_interrupted();
   if (means_no_path(status)) return nb::none();
@@ -131,10 +147,11 @@ void bind_search(nb::module_& module) {
   module.def(
       "search", &search, nb::arg("world_state").none(), nb::arg("robot_pose").none(),
       nb::arg("goal_pose").none(), nb::arg("planner"), nb::arg("row_first"),
-      nb::arg("connectivity"), nb::arg("options"),
+      nb::arg("connectivity"), nb::arg("escape"), nb::arg("closest"), nb::arg("options"),
       nb::sig(
           "def search(world_state: object, robot_pose: object, goal_pose: object, planner: str, "
-          "row_first: bool, connectivity: int, options: dict[str, str]) -> "
+          "row_first: bool, connectivity: int, escape: float, closest: bool, options: dict[str, "
+          "str]) -> "
           "list[tuple[int, int]] | None"));
 }
 

@@ -145,6 +145,58 @@ def test_ends_at_the_closest_place() -> None:
     assert space.plan((0.5, 0.5), (0.5, 1)).remaining is None
 
 
+def test_eases_many_queries_and_solutions() -> None:
+    cells = ROOM.copy()
+    cells[:, 20] = 1
+    space = wend.Map(cells, resolution=0.1).free_space()
+    ends = (0.5, 0.5), (2.55, 0.55)
+    one = space.plan(*ends, closest=True)
+    many = space.plan_many([ends[0]] * 3, [ends[1]] * 3, closest=True)
+    for plan in [*many, *space.solutions(*ends, closest=True)]:
+        assert isinstance(plan, wend.Plan)
+        assert plan.remaining == one.remaining
+        assert plan.notes == one.notes
+        assert plan.path[-1] == pytest.approx(one.path[-1])
+    space = room()
+    ends = (1.15, 0.55), (2.5, 0.25)
+    out = space.plan(*ends, escape=0.3)
+    assert out.lead_out is not None
+    for plan in [*space.plan_many(ends[:1], ends[1:], escape=0.3), *space.solutions(*ends, escape=0.3)]:
+        assert isinstance(plan, wend.Plan)
+        assert plan.lead_out == out.lead_out
+        assert plan.path[0] == pytest.approx(out.path[0])
+    with pytest.raises(wend.InvalidArgument, match="escape"):
+        space.plan_many(ends[:1], ends[1:], escape=-1)
+    with pytest.raises(wend.NoPath):
+        next(space.solutions(*ends))
+
+
+def test_ends_are_cells_where_a_map_has_no_metres() -> None:
+    space = wend.Map([[0, 0, 0, 1, 0]]).free_space()
+    plan = space.plan((0, 0), (4, 0), closest=True)
+    assert (plan.remaining, plan.start_shift, plan.goal_shift) == (2, 0, 2)
+
+
+def test_says_how_far_ends_moved_and_in_which_gear() -> None:
+    space = wend.Map(np.zeros((9, 9)), resolution=0.5).free_space()
+    plan = space.plan((1.1, 1.2), (3.1, 3.4))
+    assert plan.start_shift == pytest.approx(math.dist(plan.path[0], (1.1, 1.2)))
+    assert plan.goal_shift == pytest.approx(math.dist(plan.path[-1], (3.1, 3.4)))
+    assert plan.gears == [1] * (len(plan.path) - 1)
+    back = space.plan((3, 2, 0), (1, 2, 0), "hybrid_astar")
+    assert set(back.gears) == {-1}
+
+
+def test_smooths_no_farther_than_a_distance() -> None:
+    plan = wend.Map(np.zeros((40, 40)), resolution=0.1).free_space().plan((0.2, 0.2), (3.5, 1.2))
+    near = plan.smooth(max_distance=0.01)
+    for point in near.path:
+        assert min(math.dist(point, other) for other in plan.path) < 0.1
+    assert near.quality().length <= plan.quality().length
+    with pytest.raises(ValueError, match="max_distance"):
+        plan.smooth(max_distance=-1)
+
+
 def test_moves_ends_no_farther_than_a_limit() -> None:
     cells = ROOM.copy()
     cells[:, 20] = 1

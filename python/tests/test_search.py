@@ -213,6 +213,18 @@ def test_the_check_finds_long_paths_where_asked() -> None:
         wend.testing.check_planner(LongWay, shortest=True)
 
 
+def test_ends_in_the_closest_cell_and_leads_out() -> None:
+    world = [[1, 0, 0, 0, 1, 0]]
+    assert wend.search(world, (1, 0), (5, 0)) is None
+    assert wend.search(world, (1, 0), (5, 0), closest=True) == [(1, 0), (2, 0), (3, 0)]
+    assert wend.search(world, (0, 0), (2, 0)) is None
+    assert wend.search(world, (0, 0), (2, 0), escape=1) == [(0, 0), (1, 0), (2, 0)]
+    for row in wend.compare(world, (0, 0), (5, 0), ["astar", "bfs"], escape=1, closest=True):
+        assert row.path == [(0, 0), (1, 0), (2, 0), (3, 0)]
+    with pytest.raises(wend.InvalidArgument, match="escape"):
+        wend.search(world, (0, 0), (2, 0), escape=-1)
+
+
 def test_compares_planners() -> None:
     rows = wend.compare(WORLD, (0, 0), (0, 2), ["astar", "bfs", Correct()], repetitions=2)
     assert [(row.planner, row.steps) for row in rows] == [("astar", 8), ("bfs", 8), ("Correct", 8)]

@@ -139,6 +139,33 @@ class Plan:
         return None if lead_out is None else LeadOut(*lead_out)
 
     @property
+    def start_shift(self) -> float:
+        """Metres from the start that was asked for to the path's first point: planners on cells begin in the middle of a
+        cell, those on lattices at a vertex.
+
+        >>> import wend
+        >>> space = wend.Map([[0, 0, 0]], resolution=1).free_space()
+        >>> space.plan((0.25, 0.5), (2.5, 0.5)).start_shift
+        0.25
+        """
+        return self._inner.start_shift
+
+    @property
+    def goal_shift(self) -> float:
+        """The same for the path's last point and the goal that is nearest to it, tolerance included."""
+        return self._inner.goal_shift
+
+    @property
+    def gears(self) -> list[int]:
+        """For each piece between two points: 1 ahead, -1 in reverse, 0 for a turn in place.
+
+        >>> import wend
+        >>> wend.Map([[0, 0, 0]]).free_space().plan((0, 0), (2, 0)).gears
+        [1, 1]
+        """
+        return self._inner.gears
+
+    @property
     def remaining(self) -> float | None:
         """Metres from the path's end to the nearest goal: 0 if a goal was reached. None unless ``closest=True``, or
         ``nearest=True`` moved a goal that no path reaches.
@@ -171,6 +198,7 @@ class Plan:
         *,
         simplify: Literal["collinear", "tolerance", "sight"] | None = None,
         spacing: float | None = None,
+        max_distance: float | None = None,
         **options: object,
     ) -> Plan:
         """A smoother path that touches no obstacle: simplified, then smoothed, then resampled, as far as each is asked
@@ -179,6 +207,7 @@ class Plan:
         :param smoother: a name from ``wend.smoothers()``; `options` are its options. None: not smoothed. A path of
             poses takes ``"drive"`` in place of ``"gradient"``.
         :param spacing: metres between the points of the result.
+        :param max_distance: metres: how far smoothing may lead from the path. None: as the smoother says.
         :raises ValueError: an option that is not valid, or a path of poses that is to be simplified.
 
         >>> import wend
@@ -186,7 +215,7 @@ class Plan:
         >>> plan.smooth(None, simplify="sight").path.tolist()
         [[0.5, 0.5], [8.5, 4.5]]
         """
-        return Plan(self._inner.smooth(smoother, simplify, spacing, text_of(options)))
+        return Plan(self._inner.smooth(smoother, simplify, spacing, max_distance, text_of(options)))
 
     @named_types
     def trajectory(self, *, corner_rounding: float | None = None, **limits: object) -> Trajectory:

@@ -31,6 +31,8 @@ def search(
     *,
     order: Literal["xy", "rc"] = "xy",
     connectivity: Literal[4, 8] = 4,
+    escape: float = 0,
+    closest: bool = False,
     **options: object,
 ) -> PathOrNone:
     """A path from a robot to a goal through a world of 0 (free) and 1 (obstacle), or None.
@@ -43,6 +45,9 @@ def search(
         ``wend.planners()``; or a ``PlannerBase``. `options` are the planner's, such as `max_steps`.
     :param order: "rc": poses are (row, column), also in the result.
     :param connectivity: 4: orthogonal steps; 8: diagonal ones too, where they cut no corner.
+    :param escape: if the robot is in an obstacle, the path begins with the shortest way out, at most this many cells
+        long.
+    :param closest: if no path reaches the goal, the path ends in the reachable cell nearest to it.
     :returns: the cells from robot to goal, both included; None if there is no path, if an end is an obstacle, or if
         the walk has used up its steps.
     :raises ValueError: a pose outside of the world, a value that is not 0, 1 or -1, an unknown planner or option.
@@ -62,8 +67,9 @@ def search(
         raise InvalidArgument(f"order is {order!r}: use 'xy' or 'rc'", "invalid_option", "order")
     if connectivity not in (4, 8):
         raise InvalidArgument(f"connectivity is {connectivity!r}: use 4 or 8", "invalid_option", "connectivity")
+    settings = text_of(options) if options else {}
     return _core.search(
-        world_state, robot_pose, goal_pose, planner, order == "rc", connectivity, text_of(options) if options else {}
+        world_state, robot_pose, goal_pose, planner, order == "rc", connectivity, escape, closest, settings
     )
 
 
@@ -106,6 +112,8 @@ def compare(
     *,
     repetitions: int = 1,
     connectivity: Literal[4, 8] = 4,
+    escape: float = 0,
+    closest: bool = False,
     progress: bool = False,
 ) -> list[Comparison]:
     """Asks several planners the same query, those of wend by name and your own as objects.
@@ -113,6 +121,7 @@ def compare(
     :param planners: names as for ``wend.search()``, and objects.
     :param repetitions: how often each planner is asked; at least 1.
     :param connectivity: 4 or 8, for the planners of wend.
+    :param escape: as in ``wend.search()``, for the planners of wend; so is `closest`.
     :param progress: show a progress bar of tqdm, where that is installed.
     :raises ValueError: as ``wend.search()``, and for fewer than one repetition.
 
@@ -132,7 +141,10 @@ def compare(
             path: PathOrNone = None
             for repetition in range(repetitions):
                 begin = time.perf_counter()
-                path = search(world_state, robot_pose, goal_pose, planner, connectivity=connectivity)
+                path = search(
+                    world_state, robot_pose, goal_pose, planner,
+                    connectivity=connectivity, escape=escape, closest=closest,
+                )
                 seconds = min(seconds, time.perf_counter() - begin)
                 if tell is not None:
                     tell((i + (repetition + 1) / repetitions) / len(asked))

@@ -243,6 +243,10 @@ class FreeSpace:
         threads: int = 0,
         time_limit: float | None = None,
         expansions: int | None = None,
+        nearest: bool = False,
+        nearest_limit: float | None = None,
+        escape: float = 0,
+        closest: bool = False,
         progress: bool = False,
         **options: object,
     ) -> list[Plan | NoPath]:
@@ -250,6 +254,7 @@ class FreeSpace:
         prepares.
 
         :param threads: 0: as many as the machine runs at once.
+        :param nearest: as in ``plan()``; so are `nearest_limit`, `escape` and `closest`.
         :param progress: show a progress bar of tqdm, where that is installed.
         :returns: a ``Plan``, or the ``NoPath`` that ``plan()`` would raise, for each.
         :raises ValueError: as ``plan()``, and if there are more starts than goals or the other way round.
@@ -264,7 +269,8 @@ class FreeSpace:
         if len(all_starts) != len(all_goals):
             message = f"there are {len(all_starts)} starts and {len(all_goals)} goals"
             raise InvalidArgument(message, "invalid_option", "goals")
-        settings = (planner, text_of(options), time_limit, expansions, checked_threads(threads))
+        leeway = (nearest, nearest_limit, escape, closest)
+        settings = (planner, text_of(options), time_limit, expansions, checked_threads(threads), *leeway)
         answers: list[Any] = []
         with progress_bar(progress, len(all_starts), " queries") as tell:
             # In parts, to say how far it is; the planners are kept from one to the next.
@@ -286,6 +292,10 @@ class FreeSpace:
         *,
         time_limit: float | None = None,
         expansions: int | None = None,
+        nearest: bool = False,
+        nearest_limit: float | None = None,
+        escape: float = 0,
+        closest: bool = False,
         tolerance: float = 0,
         heading_tolerance: float = 0,
         **options: object,
@@ -296,6 +306,7 @@ class FreeSpace:
 
         :param time_limit: seconds since the first path is asked for; what is done between the paths counts.
         :param expansions: the most states to expand.
+        :param nearest: as in ``plan()``; so are `nearest_limit`, `escape` and `closest`.
         :raises wend.NoPath: as ``plan()``, when the first path is asked for.
         :raises ValueError: as ``plan()``, and if the planner finds one path only.
 
@@ -311,6 +322,10 @@ class FreeSpace:
             text_of(options) if options else {},
             time_limit,
             expansions,
+            nearest,
+            nearest_limit,
+            escape,
+            closest,
             tolerance,
             heading_tolerance,
         )

@@ -2,6 +2,7 @@
 
 // What the opaque types of wend.h are.
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -64,12 +65,15 @@ struct wend_plan {
   explicit wend_plan(const wend::PlanAnswer& answer);
 
   std::vector<wend_pose> poses;
+  std::vector<std::int32_t> gears;  // one fewer
   double cost;
   double bound;
   double length;  // metres
   wend::SearchMetrics metrics;
   wend::LeadOut lead_out = {};  // of length 0 without one
   double remaining;             // metres; NaN without an answer
+  double start_shift;           // metres
+  double goal_shift;            // metres
   bool kept;
 };
 

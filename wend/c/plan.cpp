@@ -5,6 +5,7 @@
 
 #include "wend/c/boundary.hpp"
 #include "wend/c/objects.hpp"
+#include "wend/path/gears.hpp"
 
 wend_plan::wend_plan(const wend::PlanAnswer& answer)
     : cost(answer.plan.cost),
@@ -13,8 +14,11 @@ wend_plan::wend_plan(const wend::PlanAnswer& answer)
       metrics(answer.plan.metrics),
       lead_out(answer.lead_out.value_or(wend::LeadOut{})),
       remaining(answer.remaining.value_or(std::numeric_limits<double>::quiet_NaN())),
+      start_shift(answer.start_shift()),
+      goal_shift(answer.goal_shift()),
       kept(answer.kept) {
   for (const wend::MapPose& pose : answer.poses()) poses.push_back({pose.x, pose.y, pose.heading});
+  for (const int gear : wend::gears_of(answer.path())) gears.push_back(gear);
 }
 
 namespace wend::c {
@@ -41,6 +45,9 @@ Expected<std::unique_ptr<wend_plan>, Failure> plan_from(const wend_field& field,
     return failed(Error{Status::start_blocked, explainer.blocked(place)});
   }
   if (!plan) return failed(std::move(plan.error()));
+  if (space.map().frame().metric) {
+    plan->start_snapping_error.distance = distance(centre_of(*cell), point);
+  }
   return std::make_unique<wend_plan>(PlanAnswer{.space = space, .plan = *std::move(plan)});
 }
 
@@ -55,6 +62,18 @@ size_t wend_plan_pose_count(const wend_plan* plan) {
 
 const wend_pose* wend_plan_poses(const wend_plan* plan) {
   return plan == nullptr ? nullptr : plan->poses.data();
+}
+
+const int32_t* wend_plan_gears(const wend_plan* plan) {
+  return plan == nullptr ? nullptr : plan->gears.data();
+}
+
+double wend_plan_start_shift(const wend_plan* plan) {
+  return plan == nullptr ? kNoNumber : plan->start_shift;
+}
+
+double wend_plan_goal_shift(const wend_plan* plan) {
+  return plan == nullptr ? kNoNumber : plan->goal_shift;
 }
 
 double wend_plan_cost(const wend_plan* plan) { return plan == nullptr ? kNoNumber : plan->cost; }

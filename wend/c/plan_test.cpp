@@ -183,6 +183,9 @@ TEST(CPlan, BearsNullPointers) {
   EXPECT_EQ(wend_plan_lead_out_pose_count(nullptr), 0U);
   EXPECT_EQ(wend_plan_lead_out_reason(nullptr), nullptr);
   EXPECT_TRUE(std::isnan(wend_plan_remaining(nullptr)));
+  EXPECT_EQ(wend_plan_gears(nullptr), nullptr);
+  EXPECT_TRUE(std::isnan(wend_plan_start_shift(nullptr)));
+  EXPECT_TRUE(std::isnan(wend_plan_goal_shift(nullptr)));
   wend_plan_free(nullptr);
 }
 

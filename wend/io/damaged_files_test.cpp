@@ -60,7 +60,7 @@ std::vector<Sample> samples() {
   };
   return {
       {"path_cells", "x,y,x_m,y_m\n1,2,0.5,0.5\n", path},
-      {"path_poses", "x,y,heading,x_m,y_m,yaw\n1,2,E,0.5,0.5,0\n3,2,0.25,1,1,0\n", path},
+      {"path_poses", "x,y,heading,x_m,y_m,yaw,gear\n1,2,E,0.5,0.5,0,1\n3,2,0.25,1,1,0,1\n", path},
       {"path_waypoints", "x_grid,y_grid,x_m,y_m,yaw\n1.5,2,0.5,0.5,0\n", path},
       {"path_centreline", "# c\n# s_m; x_m; y_m\n0;1.5;2\n1; 2.5 ;2.25\n", path},
       {"path_json", R"({"path":[[1,2]],"path_smoothed":[[1.5,2.5],[2,3]]})", plan},

@@ -26,12 +26,14 @@ constexpr double kEvening = 0.3;         // the share of the way to the middle o
 constexpr double kOverRelaxation = 1.8;  // how much farther than put right a bend is moved
 constexpr double kWider = 1.01;          // what is aimed at, so that the bound is met some day
 constexpr double kRounding = 1e-6;       // of the radius
+constexpr double kMostRadii = 2;         // how far a point is moved unless that is said
 constexpr double kStill = 1e-12;         // squared cells: a sweep that changes less ends it all
 
 std::optional<std::string> fault_of(const CurvatureOptions& options) {
   if (!(options.radius >= 0 && std::isfinite(options.radius))) {
     return "the radius must be finite and not negative";
   }
+  if (!(options.max_distance >= 0)) return "max_distance must be at least 0";
   if (options.max_sweeps < 1) return "max_sweeps must be at least 1";
   return fault_of_weights(options.alpha, options.beta, true);
 }
@@ -234,6 +236,7 @@ SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
                  [&](const auto&) { return divided(path.points(), longest); });
   auto movable = MovablePath::from(dense, space, options);
   if (!movable) return Unexpected<Error>(std::move(movable).error());
+  movable->bind(options.max_distance > 0 ? options.max_distance : kMostRadii * options.radius);
   return CurvatureSweeps(dense, *std::move(movable), options, stop).run();
 }
 

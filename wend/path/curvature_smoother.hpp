@@ -14,7 +14,8 @@
 // result may have more points than the path.
 //
 // It is a local method: it widens bends as far as obstacles let it, and does not look for another way
-// around. Smoothed::within_bound says whether all of them are wide enough. On 100 plans of A* on
+// around. No point moves farther than two radii from where it was, or `max_distance`: where a path comes back beside
+// itself, bends that are too tight stay so. Smoothed::within_bound says whether all of them are wide enough. On 100 plans of A* on
 // generated offices, for a robot 0.4 m wide in cells of 0.1 m, it met radii of 0.3 and 0.4 m on all
 // and 0.5 m on 99; 1 m, which doors there hardly allow, on 35 (tests/smoothing_test.cpp).
 
@@ -29,6 +30,7 @@ struct CurvatureOptions {
   double alpha = 0.02;
   double beta = 0.3;
   std::int64_t max_sweeps = 5000;
+  double max_distance = 0;  // cells: how far a point moves at most; 0: two radii
   bool unsafe = false;
   bool squeeze = false;
 
@@ -38,6 +40,9 @@ struct CurvatureOptions {
     field({"alpha", "weight that holds each point at its original position"}, self.alpha, {0, 2});
     field({"beta", "weight that pulls neighbouring points together"}, self.beta, {0, 1});
     field({"max_sweeps", "limit on the number of sweeps"}, self.max_sweeps, {1, 1e9});
+    field({"max_distance",
+           "largest distance from the given path, in cells; 0: twice the turning radius"},
+          self.max_distance, {0, 1e6});
     field({"unsafe", "even through obstacles"}, self.unsafe);
     field({"squeeze", "a point may pass between two obstacles that touch at a corner"},
           self.squeeze);

@@ -12,6 +12,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/segment.hpp"
 #include "wend/path/drive_window.hpp"
+#include "wend/path/largest_distance.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_fault.hpp"
 #include "wend/path/smoothing.hpp"
@@ -76,6 +77,7 @@ class DriveSweeps {
         options_(options),
         stop_(stop),
         poses_(cut(path, kSpacing * objective.radius)),
+        places_(poses_),
         longest_(path.length() * (1 + options.longer)),
         length_(path.length()) {}
 
@@ -170,6 +172,7 @@ class DriveSweeps {
       poses.back() = poses_[end];
       const double length = length_ - window.length() + length_of(*pieces);
       const Path part = Path::through(poses);
+      if (is_too_far(poses, first)) continue;
       if (length > longest_ || !drivable(part)) continue;
       if (first_collision(part, space_)) {
         blocked = true;
@@ -182,6 +185,16 @@ class DriveSweeps {
     }
     if (blocked) ++held_;
     return 0;
+  }
+
+  /// Are poses, of which the first is the one with that index, farther from where they were than allowed?
+  bool is_too_far(const std::vector<Pose>& poses, std::size_t first) const {
+    if (options_.max_distance == 0) return false;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const Point place = places_[first + i].point();
+      if (distance(place, poses[i].point()) > options_.max_distance) return true;
+    }
+    return false;
   }
 
   static double length_of(const std::vector<DrivePiece>& pieces) {
@@ -203,10 +216,11 @@ class DriveSweeps {
   DriveSmootherOptions options_;
   const StopSmoothing& stop_;
   std::vector<Pose> poses_;
-  double longest_;           // cells
-  double length_;            // cells
-  std::size_t windows_ = 0;  // of this sweep
-  std::size_t held_ = 0;     // of these, by obstacles
+  std::vector<Pose> places_;  // of the poses before anything was smoothed
+  double longest_;            // cells
+  double length_;             // cells
+  std::size_t windows_ = 0;   // of this sweep
+  std::size_t held_ = 0;      // of these, by obstacles
   bool changed_ = false;
   bool stopped_ = false;
 };
@@ -263,6 +277,7 @@ SmoothingResult smooth_drive(const Path& path, const FreeSpace& space,
   Smoothed smoothed = sweeps.run();
   smoothed.within_bound = within;
   if (!sweeps.changed()) smoothed.path = path;
+  smoothed.distance = largest_distance(path, smoothed.path);
   return smoothed;
 }
 

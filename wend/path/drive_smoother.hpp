@@ -39,6 +39,7 @@ struct DriveSmootherOptions {
   double clearance_weight = 1;   // weight of the share by which clearance is too small
   double longer = 0.05;          // share by which the path may become longer
   std::int64_t max_sweeps = 20;  // over the whole path
+  double max_distance = 0;       // cells: how far a pose moves at most; 0: any distance
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -58,6 +59,8 @@ struct DriveSmootherOptions {
     field({"longer", "share of its length by which the path may become longer"}, self.longer,
           {0, 1});
     field({"max_sweeps", "limit on the number of sweeps"}, self.max_sweeps, {1, 1e9});
+    field({"max_distance", "largest distance from the given path, in cells; 0: any distance"},
+          self.max_distance, {0, 1e6});
   }
 };
 

@@ -13,6 +13,7 @@ std::optional<std::string> fault_of(const GradientOptions& options) {
   if (!(options.epsilon >= 0 && std::isfinite(options.epsilon))) {
     return "epsilon must be finite and not negative";
   }
+  if (!(options.max_distance >= 0)) return "max_distance must be at least 0";
   if (options.max_sweeps < 1) return "max_sweeps must be at least 1";
   return fault_of_weights(options.alpha, options.beta, options.in_place);
 }
@@ -69,6 +70,7 @@ SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
   if (const auto fault = fault_of(options)) return failure(Status::invalid_option, *fault);
   auto movable = MovablePath::from(path, space, options);
   if (!movable) return Unexpected<Error>(std::move(movable).error());
+  movable->bind(options.max_distance);
   return smoothed(path, *std::move(movable), options, stop);
 }
 

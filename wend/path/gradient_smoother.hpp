@@ -35,6 +35,7 @@ struct GradientOptions {
   double beta = 0.3;               // 0 to 1: pulls neighbouring points together
   double epsilon = 0.001;          // squared cells
   std::int64_t max_sweeps = 1000;  // 1 to 1e9
+  double max_distance = 0;         // cells: how far a point moves at most; 0: any distance
   bool in_place = false;           // use the new position of a point within the same sweep
   bool unsafe = false;             // skip the collision check
   bool squeeze = false;            // a point may pass between two obstacles that touch at a corner
@@ -47,6 +48,8 @@ struct GradientOptions {
            "threshold for convergence: the sum of the squared changes of a sweep (cells squared)"},
           self.epsilon, {0, 1e6});
     field({"max_sweeps", "limit on the number of sweeps"}, self.max_sweeps, {1, 1e9});
+    field({"max_distance", "largest distance from the given path, in cells; 0: any distance"},
+          self.max_distance, {0, 1e6});
     field({"in_place", "use the new position of a point within the same sweep"}, self.in_place);
     field({"unsafe", "skip the collision check; the path may collide with obstacles"}, self.unsafe);
     field({"squeeze", "a point may pass between two obstacles that touch at a corner"},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/line.hpp"
 #include "wend/path/length_fault.hpp"
 #include "wend/path/path_fault.hpp"
 #include "wend/robot/swept_clearance.hpp"
@@ -86,6 +87,22 @@ class Mean {
   double length_ = 0;
 };
 
+double clearance_at(const FreeSpace& space, Point point) {
+  return arc_clearance(space, {{point.x, point.y, 0}, 0, 0});
+}
+
+/// Neighbours on the map have known clearances; a longer line is looked at once a cell.
+void go_straight(Mean& clearance, const FreeSpace& space, Cell from, Cell to) {
+  const Line line{centre_of(from), centre_of(to)};
+  const bool neighbours = std::abs(to.x - from.x) <= 1 && std::abs(to.y - from.y) <= 1;
+  const int pieces = neighbours ? 1 : static_cast<int>(std::ceil(line.length()));
+  for (int i = 1; i < pieces; ++i) {
+    clearance.go(line.length() / pieces,
+                 clearance_at(space, line.at(static_cast<double>(i) / pieces)));
+  }
+  clearance.go(line.length() / pieces, space.clearance(to));
+}
+
 PathMetrics measure_cells(std::span<const Cell> cells, const Path& path, const FreeSpace& space) {
   PathMetrics metrics;
   metrics.length = path.length();
@@ -97,14 +114,10 @@ PathMetrics measure_cells(std::span<const Cell> cells, const Path& path, const F
     if (from == to) continue;
     metrics.smallest_clearance =
         std::min(metrics.smallest_clearance, way_clearance(space, from, to));
-    clearance.go(distance(centre_of(from), centre_of(to)), space.clearance(to));
+    go_straight(clearance, space, from, to);
   }
   metrics.mean_clearance = clearance.value();
   return metrics;
-}
-
-double clearance_at(const FreeSpace& space, Point point) {
-  return arc_clearance(space, {{point.x, point.y, 0}, 0, 0});
 }
 
 PathMetrics measure_arcs(const Path& path, const FreeSpace& space) {

@@ -72,7 +72,7 @@ struct PathMetrics {
   /// The smallest one is exact over all points of the way, 0 where it touches an obstacle: of the
   /// line through the cell centres (a diagonal step that cuts a corner), or of the arcs and lines of
   /// other paths. The mean is over the length, taken to be linear (trapezoid rule) from centre to
-  /// centre, or between points that cut each arc or line into equal pieces of at most one cell; of a
+  /// centre of neighbouring cells, or between points that cut each arc or line into equal pieces of at most one cell; of a
   /// path that goes nowhere it is the clearance where it stands.
   double smallest_clearance = 0;
   double mean_clearance = 0;  // cells

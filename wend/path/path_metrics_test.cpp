@@ -74,6 +74,18 @@ TEST(PathMetrics, WeighsClearanceByLength) {
   EXPECT_DOUBLE_EQ(measure(Path({{3, 0}, {3, 0}}), space)->mean_clearance, 2.5);
 }
 
+TEST(PathMetrics, WeighsClearanceAlongLongLinesToo) {
+  // Near an obstacle at both ends, far from any between them.
+  const FreeSpace space = test::drawn_space("#.................#");
+  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}, {17, 0}}), space)->mean_clearance,
+                   measure(Path::along({{1.5, 0.5}, {17.5, 0.5}}), space)->mean_clearance);
+  Path steps;
+  for (int x = 1; x <= 17; ++x) steps.append({x, 0});
+  EXPECT_DOUBLE_EQ(measure(Path({{1, 0}, {17, 0}}), space)->mean_clearance,
+                   measure(steps, space)->mean_clearance);
+  EXPECT_GT(measure(steps, space)->mean_clearance, 4);
+}
+
 TEST(PathMetrics, HasNoClearanceWhereItCutsACorner) {
   const FreeSpace space = test::drawn_space("...\n.#.\n...");
   EXPECT_EQ(measure(Path({{0, 0}, {1, 0}, {2, 1}}), space)->smallest_clearance, 0);

@@ -1,5 +1,10 @@
 #include "wend/path/refinement.hpp"
 
+#include <algorithm>
+
+#include "wend/base/parse.hpp"
+#include "wend/path/largest_distance.hpp"
+#include "wend/path/length_fault.hpp"
 #include "wend/path/path_fault.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/path/smoothing.hpp"
@@ -31,6 +36,14 @@ SmoothingResult smoothed_by(const SmootherChoice& choice, const Path& path, cons
   return (*smoother)(path, space);
 }
 
+/// Points that may not move at all still need a distance: 0 means any.
+void bind(SmootherChoice& choice, double most_distance) {
+  constexpr double kLeast = 1e-9;
+  constexpr double kMost = 1e6;  // that a smoother takes
+  choice.options.emplace_back("max_distance",
+                              format_number(std::clamp(most_distance, kLeast, kMost)));
+}
+
 }  // namespace
 
 SmootherChoice smoother_for(const Path& path, const SmootherChoice& choice) {
@@ -42,6 +55,11 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
                                  const Refinement& refinement) {
   const Adjacency adjacency = refinement.adjacency;
   if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
+  if (refinement.max_distance) {
+    if (auto fault = fault_of_length("max_distance", *refinement.max_distance)) {
+      return Unexpected<Error>(*std::move(fault));
+    }
+  }
   Refined refined{path};
   if (refinement.simplify) {
     auto simplified = simplified_by(*refinement.simplify, path, space, adjacency);
@@ -49,15 +67,20 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
     refined.path = *std::move(simplified);
   }
   if (refinement.smoother) {
-    // Long lines of cells have too few points to bend.
-    if (!refined.path.cells().empty() && !refined.path.of_steps()) {
-      auto dense = resampled(refined.path, 1, space, adjacency);
-      if (!dense) return Unexpected<Error>(std::move(dense).error());
-      refined.path = *std::move(dense);
+    const Path before = refined.path;
+    double cut = 0;
+    // What smoothing does to a path depends on how far apart its points are: not on how it was given.
+    if (!before.driven() && !before.of_steps()) {
+      auto even = resampled(before, 1, space, adjacency);
+      if (!even) return Unexpected<Error>(std::move(even).error());
+      refined.path = *std::move(even);
+      cut = largest_distance(before, refined.path);
     }
-    auto smoothed =
-        smoothed_by(smoother_for(path, *refinement.smoother), refined.path, space, adjacency);
+    SmootherChoice choice = smoother_for(path, *refinement.smoother);
+    if (refinement.max_distance) bind(choice, *refinement.max_distance - cut);
+    auto smoothed = smoothed_by(choice, refined.path, space, adjacency);
     if (!smoothed) return Unexpected<Error>(std::move(smoothed).error());
+    smoothed->distance = largest_distance(before, smoothed->path);
     refined.path = smoothed->path;
     refined.smoothing = *std::move(smoothed);
   }

@@ -51,6 +51,8 @@ struct Refinement {
   std::optional<SmootherChoice> smoother{};  // nothing: not smoothed
   std::optional<double> spacing{};           // cells, > 0: resample
   Adjacency adjacency = Adjacency::edges;    // what a point may squeeze through
+  /// How far from the path (simplified, if that is asked for) smoothing may lead, in cells; unset: as the smoother says.
+  std::optional<double> max_distance{};
 };
 
 /// What refined() made.
@@ -59,6 +61,7 @@ struct Refined {
   std::optional<Smoothed> smoothing{};  // how that went; its path is as it was before resampling
 };
 
+/// Lines are smoothed as points about a cell apart, however far apart or near to each other they are given.
 /// Errors are those of simplification, of the smoother and of resampling; unsupported_query for a drive that is to be
 /// simplified, and for a path with a fault (path_fault.hpp), even if nothing is done with it.
 WEND_API Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,

@@ -14,6 +14,7 @@
 #include "tests/testing/random_polygon.hpp"
 #include "wend/path/corner_rounding.hpp"
 #include "wend/path/gradient_smoother.hpp"
+#include "wend/path/largest_distance.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/robot/fits_along.hpp"
@@ -40,7 +41,7 @@ TEST(Refinement, SimplifiesThenSmoothsThenResamples) {
                             .spacing = 0.25});
   ASSERT_TRUE(all);
   const Path simple = *without_collinear(kBend);
-  const auto smooth = smooth_by_gradient(simple, space, {.beta = 0.4});
+  const auto smooth = smooth_by_gradient(*resampled(simple, 1, space), space, {.beta = 0.4});
   ASSERT_TRUE(all->smoothing);
   EXPECT_EQ(all->smoothing->path, smooth->path);
   EXPECT_EQ(all->path, *resampled(smooth->path, 0.25, space));
@@ -54,6 +55,78 @@ TEST(Refinement, DividesLongLinesBetweenCellsBeforeItSmooths) {
   const auto divided = smooth_by_gradient(*resampled(lines, 1, space), space, {});
   EXPECT_EQ(smooth->path, divided->path);
   EXPECT_GT(smooth->path.size(), 6U);
+}
+
+/// Lanes 80 cells long, 5 cells apart, by their ends.
+Path lanes() {
+  std::vector<Point> points;
+  for (int lane = 0; lane < 9; ++lane) {
+    const double y = 10 + 5.0 * lane;
+    const bool back = lane % 2 == 1;
+    points.push_back({back ? 90.0 : 10.0, y});
+    points.push_back({back ? 10.0 : 90.0, y});
+  }
+  return Path::along(std::move(points));
+}
+
+/// The same line with points between some of its points.
+Path with_points_between(Random& random, const Path& path) {
+  const std::vector<Point> points = path.points();
+  std::vector<Point> more{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const int pieces = random.chance(0.3) ? 1 : random.between(1, 200);
+    for (int k = 1; k <= pieces; ++k) {
+      more.push_back(Line{points[i - 1], points[i]}.at(static_cast<double>(k) / pieces));
+    }
+  }
+  return Path::along(std::move(more));
+}
+
+TEST(Refinement, SmoothsALineHoweverDenselyItIsGiven) {
+  const FreeSpace space = test::open_space(100, 60);
+  const Path out_and_back = Path::along({{10, 10}, {50, 10.5}, {10, 11}});
+  const Path hairpin = Path::along({{10, 10}, {80, 10}, {80, 13}, {10, 13}});
+  for (const Path& path : {lanes(), out_and_back, hairpin}) {
+    for (const char* smoother : {"gradient", "curvature"}) {
+      SCOPED_TRACE(smoother);
+      const auto smooth = refined(path, space, {.smoother = SmootherChoice{smoother}});
+      ASSERT_TRUE(smooth);
+      EXPECT_GT(smooth->path.length(), 0.7 * path.length());
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        Random random(seed);
+        const auto again = refined(with_points_between(random, path), space,
+                                   {.smoother = SmootherChoice{smoother}});
+        ASSERT_TRUE(again);
+        EXPECT_LT(largest_distance(smooth->path, again->path), 0.1) << "seed " << seed;
+      }
+    }
+  }
+  const auto by_gradient = refined(lanes(), space, {.smoother = SmootherChoice{}});
+  EXPECT_GT(by_gradient->path.length(), 0.92 * lanes().length());
+}
+
+TEST(Refinement, KeepsNearThePathAsFarAsAsked) {
+  const FreeSpace space = test::open_space(100, 60);
+  const Path drive =
+      Path::through({{10, 10, 0}, {30, 10, 0}, {40, 20, kPi / 2}, {40, 40, kPi / 2}});
+  for (const Path& path : {lanes(), Path::along({{10, 10}, {50, 10.5}, {10, 11}}), drive}) {
+    for (const double most : {0.0, 0.5, 1.0, 3.0}) {
+      for (const char* smoother : {"gradient", "curvature"}) {
+        const auto smooth = refined(
+            path, space, {.smoother = smoother_for(path, {smoother}), .max_distance = most});
+        if (path.driven() && std::string_view(smoother) == "curvature") {
+          EXPECT_FALSE(smooth);
+          continue;
+        }
+        ASSERT_TRUE(smooth) << smooth.error().message;
+        EXPECT_LE(largest_distance(path, smooth->path), std::max(most, 0.5) + 1e-6) << smoother;
+        EXPECT_EQ(smooth->smoothing->distance, largest_distance(path, smooth->path));
+      }
+    }
+  }
+  const auto wrong = refined(lanes(), space, {.smoother = SmootherChoice{}, .max_distance = -1.0});
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().status, Status::invalid_option);
 }
 
 TEST(Refinement, SimplifiesByWhatIsAsked) {

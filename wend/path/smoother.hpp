@@ -33,9 +33,10 @@ struct Smoothed {
   Path path;                 // waypoints, at least as many as the path had points
   std::uint64_t sweeps = 0;  // over all points
   bool converged = false;    // else the limit of sweeps ended it
-  double held = 0;           // the share of the inner points, 0 to 1, that safety held back
-  bool returned = false;     // the result would have been longer than the path: it is the path
-  bool stopped = false;      // StopSmoothing ended it: the path is as far as it came
+  double held = 0;  // the share of the inner points, 0 to 1, that obstacles or a bound held back
+  bool returned = false;  // the result would have been longer than the path: it is the path
+  bool stopped = false;   // StopSmoothing ended it: the path is as far as it came
+  double distance = 0;    // cells: largest_distance() between the path and the smoothed one
 
   // Of the smoother that bounds curvature.
   bool within_bound = true;  // every bend is as wide as asked

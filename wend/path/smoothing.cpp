@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
+#include "wend/path/largest_distance.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_fault.hpp"
 #include "wend/robot/fits_along.hpp"
@@ -53,6 +54,16 @@ Expected<MovablePath, Error> MovablePath::from(const Path& path, const FreeSpace
     }
   }
   return movable;
+}
+
+double MovablePath::move_within_bound(std::size_t i, Point to) {
+  assert(bound_);
+  const Point place = bound_->places[i];
+  const double away = distance(place, to);
+  if (away <= bound_->most) return move_freely(i, to);
+  const double share = move_freely(i, Line{place, to}.at(bound_->most / away));
+  constexpr double kHeld = 0.99;
+  return std::min(share, kHeld);
 }
 
 /// What the disc around the robot says.
@@ -140,9 +151,11 @@ bool MovablePath::try_move(std::size_t i, Point to) {
 
 void MovablePath::finish(Smoothed& smoothed, const Path& path) const {
   smoothed.path = Path::along(points_);
+  smoothed.distance = largest_distance(path, smoothed.path);
   const double longest = path.length() * (1 + 1e-12);  // summed up in another order
   if (!adjacency_ || smoothed.path.length() <= longest) return;
   smoothed.path = Path::along(path.points());
+  smoothed.distance = 0;
   smoothed.returned = true;
 }
 

@@ -66,6 +66,11 @@ std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_p
 /// it is swept along the lines that a move changes, and turned where they begin and end.
 class MovablePath {
  public:
+  /// From now on every point stays within a distance of where it is; 0: anywhere.
+  void bind(double most_distance) {
+    if (most_distance > 0) bound_ = Bound{points_, most_distance};
+  }
+
   /// Of a path that first_collision() finds free. A path that is not, one with a fault, and a drive, are
   /// unsupported_query. The options say `squeeze`, and `unsafe` for an unbound path. The space
   /// outlives it.
@@ -85,16 +90,13 @@ class MovablePath {
 
   std::span<const Point> points() const { return points_; }
 
-  /// Moves an inner point all the way to a place, or an eighth of it, or not at all: the most after
-  /// which both of its lines are free. Returns that share. A point that could not move at all rests:
+  /// Moves an inner point all the way to a place (or, if it is bound, to the nearest one that it may be at), or an
+  /// eighth of it, or not at all: the most after which both of its lines are free. Returns that share, below 1 where
+  /// the bound held it back. A point that could not move at all rests:
   /// unless the room seen before allows it, its next 1, 2, 4, 8, 8 ... moves are left out.
   double move(std::size_t i, Point to) {
-    if (!adjacency_ ||
-        (beside_[i - 1].allows_end(to) && beside_[i].allows_begin(to) && on_map(to))) {
-      points_[i] = to;
-      return 1;
-    }
-    return move_as_far_as_free(i, to);
+    if (bound_) return move_within_bound(i, to);
+    return move_freely(i, to);
   }
 
   /// Puts the points into the result, or the path that they come from where they are longer; an
@@ -118,6 +120,11 @@ class MovablePath {
     }
   };
 
+  struct Bound {
+    std::vector<Point> places;  // of the points
+    double most = 0;            // cells, from there
+  };
+
   struct Rest {
     int left = 0;    // moves to leave out
     int before = 0;  // how many that were when it could not move the last time
@@ -131,6 +138,16 @@ class MovablePath {
            point.y <= space_->height();
   }
 
+  double move_freely(std::size_t i, Point to) {
+    if (!adjacency_ ||
+        (beside_[i - 1].allows_end(to) && beside_[i].allows_begin(to) && on_map(to))) {
+      points_[i] = to;
+      return 1;
+    }
+    return move_as_far_as_free(i, to);
+  }
+
+  double move_within_bound(std::size_t i, Point to);
   Beside look_beside(const Line& line) const;
   std::optional<Beside> free_beside(const Line& line) const;
   bool turns_fit_around(std::size_t i) const;
@@ -142,6 +159,7 @@ class MovablePath {
   const FreeSpace* space_;              // never null
   std::optional<Adjacency> adjacency_;  // nothing: unbound
   std::vector<Point> points_;
+  std::optional<Bound> bound_;
   std::vector<Rest> rests_;     // of the points
   std::vector<Beside> beside_;  // line i goes from point i to the next
 };

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
+#include "wend/geometry/direction.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {
@@ -54,6 +57,58 @@ TEST(Bfs, TakesTheFewestStepsEvenThroughTheRough) {
   EXPECT_EQ(plan.bound, Plan::kNoBound);
   EXPECT_EQ(plan.path.size(), 5U);
   EXPECT_EQ(plan.cost, 5 + 9 + 9 + 5);
+}
+
+bool may_step(const FreeSpace& space, Cell from, Cell to) {
+  return space.passable(to) && space.passable({from.x, to.y}) && space.passable({to.x, from.y});
+}
+
+/// The least length of the paths with the fewest steps to each cell; infinite where there is none.
+Grid<double> shortest_of_fewest_steps(const FreeSpace& space, Cell start) {
+  Grid<double> lengths(space.width(), space.height(), HUGE_VAL);
+  lengths[start] = 0;
+  for (std::vector<Cell> level{start}; !level.empty();) {
+    Grid<double> next(space.width(), space.height(), HUGE_VAL);
+    for (const Cell from : level) {
+      for (const Cell offset : kDirectionSteps) {
+        const Cell to{from.x + offset.x, from.y + offset.y};
+        if (!space.contains(to) || lengths[to] < HUGE_VAL || !may_step(space, from, to)) continue;
+        const double length = from.x != to.x && from.y != to.y ? std::numbers::sqrt2 : 1;
+        next[to] = std::min(next[to], lengths[from] + length);
+      }
+    }
+    level.clear();
+    for (const Cell cell : every_cell(next)) {
+      if (next[cell] == HUGE_VAL) continue;
+      lengths[cell] = next[cell];
+      level.push_back(cell);
+    }
+  }
+  return lengths;
+}
+
+TEST(Bfs, GoesStraightWhereItCan) {
+  const FreeSpace space = test::open_space(10, 10);
+  EXPECT_EQ(plan_of("bfs", space, {0, 0}, {7, 0}).cost, 7);
+  EXPECT_EQ(plan_of("bfs", space, {5, 9}, {5, 1}).cost, 8);
+}
+
+TEST(Bfs, TakesAShortestOfThePathsWithTheFewestSteps) {
+  int paths = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const FreeSpace space = *make_free_space(
+        *make_grid_map(test::random_states(random, random.between(2, 20), random.between(2, 20))));
+    const Cell start = test::random_cell(random, space.width(), space.height());
+    const Cell goal = test::random_cell(random, space.width(), space.height());
+    if (!space.passable(start) || !space.passable(goal)) continue;
+    const double least = shortest_of_fewest_steps(space, start)[goal];
+    if (least == HUGE_VAL) continue;
+    ++paths;
+    EXPECT_NEAR(plan_of("bfs", space, start, goal).cost, least, 1e-9);
+  }
+  EXPECT_GT(paths, 50);
 }
 
 TEST(Dfs, GuaranteesNothingAboutCosts) {

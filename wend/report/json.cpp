@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "wend/geometry/compass.hpp"
+#include "wend/path/gears.hpp"
 
 namespace wend {
 namespace {
@@ -26,11 +27,6 @@ void put_poses(Json& json, const Plan& plan, const Frame& frame) {
                {"moves", plan.moves},
                {"path_m", metres},
                {"yaw", yaws}});
-}
-
-Json gear_of(const Segment& segment) {
-  if (segment.length == 0) return 0;
-  return segment.length > 0 ? 1 : -1;
 }
 
 template <class T, class JsonOf>
@@ -162,16 +158,12 @@ void put_joints(Json& json, const Path& path, const Frame& frame) {
 
 void put_driven(Json& json, const Path& path, const Frame& frame) {
   Json poses = Json::array();
-  Json gears = Json::array();
   for (const Pose& pose : path.driven_poses()) {
     const MapPose in_map = frame.to_metres(pose);
     poses.push_back({in_map.x, in_map.y, in_map.heading});
   }
-  if (path.driven()) {
-    for (const Segment& segment : path.segments()) gears.push_back(gear_of(segment));
-  }
   json["poses_m"] = std::move(poses);
-  json["gears"] = std::move(gears);
+  json["gears"] = path.driven() ? Json(gears_of(path)) : Json::array();
 }
 
 std::string text_of(const Json& report) {

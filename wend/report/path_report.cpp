@@ -60,18 +60,38 @@ std::string ending_text(const Smoothed& smoothed) {
                      smoothed.converged ? "" : ", stopped by the limit");
 }
 
-std::string held_text(const Smoothed& smoothed) {
+std::string held_text(const Smoothed& smoothed, bool bound) {
   if (smoothed.returned) return "all: smoothing would have lengthened the path, which is unchanged";
   if (smoothed.held == 0) return "none: no obstacle was in the way";
-  return fmt::format("{:.3g} % of the inner points, by obstacles", 100 * smoothed.held);
+  return fmt::format("{:.3g} % of the inner points, by obstacles{}", 100 * smoothed.held,
+                     bound ? " or the largest distance" : "");
 }
 
-Json json_of_smoothing(const RefinedPath& path) {
+/// Why some bends are tighter than asked, as far as that is known.
+std::string curvature_text(const Smoothed& smoothed) {
+  constexpr std::string_view kExceeds = "exceeds the bound in places: ";
+  if (smoothed.returned) return fmt::format("{}wider bends would lengthen the path", kExceeds);
+  if (smoothed.held > 0) return fmt::format("{}points there are held", kExceeds);
+  if (!smoothed.converged) return fmt::format("{}the limit of sweeps was reached", kExceeds);
+  return fmt::format("{}the path bends back beside itself, or its ends are too near", kExceeds);
+}
+
+bool is_bound(const Refinement& wanted) {
+  const bool by_radius = wanted.smoother && wanted.smoother->name == "curvature";
+  return wanted.max_distance.has_value() || by_radius;
+}
+
+Json json_of_smoothing(const RefinedPath& path, const Frame& frame) {
   const auto& smoothing = path.refined.smoothing;
   if (!smoothing || !path.wanted.smoother) return {};
-  return {{"smoother", path.wanted.smoother->name}, {"sweeps", smoothing->sweeps},
-          {"converged", smoothing->converged},      {"held", smoothing->held},
-          {"returned", smoothing->returned},        {"within_bound", smoothing->within_bound}};
+  return {{"smoother", path.wanted.smoother->name},
+          {"sweeps", smoothing->sweeps},
+          {"converged", smoothing->converged},
+          {"held", smoothing->held},
+          {"returned", smoothing->returned},
+          {"within_bound", smoothing->within_bound},
+          {"largest_distance_cells", smoothing->distance},
+          {"largest_distance_m", smoothing->distance * frame.resolution}};
 }
 
 }  // namespace
@@ -139,7 +159,7 @@ void put_refined(Json& json, const RefinedPath& path, const Frame& frame) {
   json["path_smoothed"] = json_of(path.refined.path.points());
   json["path_smoothed_m"] = json_of(path.refined.path.points_in_metres(frame));
   if (path.refined.path.driven()) put_driven(json, path.refined.path, frame);
-  json["smoothing"] = json_of_smoothing(path);
+  json["smoothing"] = json_of_smoothing(path, frame);
   json["path_metrics"] = json_of(path.measured_before, frame);
   json["path_smoothed_metrics"] = json_of(path.measured_after, frame);
 }
@@ -173,15 +193,17 @@ RefinedPath refined_path(Path before, const Refinement& wanted, Refined refined,
   return path;
 }
 
-std::string smoothing_text(const RefinedPath& path) {
+std::string smoothing_text(const RefinedPath& path, const LengthUnit& unit) {
   const auto& smoothing = path.refined.smoothing;
   if (!smoothing) return {};
-  std::string text = line("smoother", path.wanted.smoother ? path.wanted.smoother->name : "") +
-                     line("smoothed", ending_text(*smoothing)) +
-                     line("held", held_text(*smoothing));
-  if (!smoothing->within_bound) {
-    text += line("curvature", "exceeds the bound in places: obstacles leave no room");
-  }
+  std::string text =
+      line("smoother", path.wanted.smoother ? path.wanted.smoother->name : "") +
+      line("smoothed", ending_text(*smoothing)) +
+      line("held", held_text(*smoothing, is_bound(path.wanted))) +
+      line("moved",
+           fmt::format("at most {} {} from the given path",
+                       number(smoothing->distance * unit.per_cell, decimals_of(unit)), unit.name));
+  if (!smoothing->within_bound) text += line("curvature", curvature_text(*smoothing));
   return text;
 }
 

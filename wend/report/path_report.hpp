@@ -80,10 +80,10 @@ RefinedPath refined_path(Path before, const Refinement& wanted, Refined refined,
                          const FreeSpace& space, double corner_rounding = kCornerRounding);
 
 /// The result of smoothing, a line for each value; empty if nothing was smoothed.
-std::string smoothing_text(const RefinedPath& path);
+std::string smoothing_text(const RefinedPath& path, const LengthUnit& unit = {});
 
 /// {"schema", "path", "path_m", "path_smoothed", "path_smoothed_m", "smoothing": {"smoother", "sweeps",
-/// "converged", "held", "returned", "within_bound"}, "path_metrics", "path_smoothed_metrics"}.
+/// "converged", "held", "returned", "within_bound", "largest_distance_cells", "largest_distance_m"}, "path_metrics", "path_smoothed_metrics"}.
 /// `path` are cells, and is left out for a path without cells; `path_smoothed` are waypoints in grid
 /// coordinates; `smoothing` is null if nothing was smoothed. For a path of poses, "poses_m" and "gears" follow as in
 /// plan_json(). With a trajectory along the refined path,

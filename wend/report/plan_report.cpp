@@ -44,10 +44,10 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   if (result.status == Status::found) {
     put_eased(json, result.lead_out, result.remaining, frame);
   }
+  const bool found = !result.plan.path.empty();
+  json["start_shift"] = found ? json_of(result.plan.start_snapping_error, frame) : Json();
+  json["goal_shift"] = found ? json_of(result.plan.goal_snapping_error, frame) : Json();
   if (result.capabilities.headings) {
-    const bool found = !result.plan.path.empty();
-    json["start_shift"] = found ? json_of(result.plan.start_snapping_error, frame) : Json();
-    json["goal_shift"] = found ? json_of(result.plan.goal_snapping_error, frame) : Json();
     json["steps_in_reverse"] = found ? Json(steps_in_reverse(result.plan)) : Json();
     if (result.unit > 0) {
       json["turning_radius_cells"] = result.unit;
@@ -77,6 +77,10 @@ std::string heading_text(double radians, const Frame& frame) {
 
 std::string pose_text(const Pose& pose, const Frame& frame) {
   const auto shown = [](double value) { return std::round(value * 1e3) / 1e3 + 0.0; };
+  if (frame.metric) {
+    const MapPose at = frame.to_metres(pose);
+    return fmt::format("({},{},{}) m", shown(at.x), shown(at.y), heading_text(pose.heading, frame));
+  }
   return fmt::format("({},{},{})", shown(pose.x), shown(pose.y), heading_text(pose.heading, frame));
 }
 

@@ -132,10 +132,10 @@ std::string plan_json(const PlanResult& result, const Frame& frame,
 /// "S", or "26.57deg" in the map's frame for a heading between the four.
 std::string heading_text(double radians, const Frame& frame);
 
-/// "(2,1,S)", in grid coordinates.
+/// "(2,1,S)", in grid coordinates, or "(0.1,0.05,S) m" on a map in metres.
 std::string pose_text(const Pose& pose, const Frame& frame);
 
-/// The command list of a car's plan, in grid coordinates; empty without a path. Each line has its
+/// The command list of a car's plan, with poses as pose_text() writes them; empty without a path. Each line has its
 /// line end.
 std::string drive_commands(const Plan& plan, const Frame& frame);
 

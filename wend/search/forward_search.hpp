@@ -34,7 +34,9 @@
 
 namespace wend {
 
-/// What to do with a state that is reached again before it is expanded.
+/// What to do with a state that is reached again before it is expanded. With keep_first, a priority with
+/// replaces(g, before) may say that the new way is as good by its order, and better otherwise: the state keeps its
+/// place in the frontier.
 enum class DuplicateRule { keep_first, keep_cheaper };
 
 template <SearchSpace Space, SearchFrontier Frontier, SearchPriority<Space> Priority,
@@ -217,7 +219,14 @@ class ForwardSearch {
       nodes_.open(node, g, arrival);
       observer.on_generate(next, arrival, g);
     } else {
-      if constexpr (kDuplicates == DuplicateRule::keep_first) return false;
+      if constexpr (kDuplicates == DuplicateRule::keep_first) {
+        if constexpr (requires { priority_.replaces(g, node.g); }) {
+          if (node.closed() || !priority_.replaces(g, node.g)) return false;
+          nodes_.open(node, g, arrival);
+          observer.on_relax(next, arrival, g);
+        }
+        return false;
+      }
       if (node.closed() || !(g < node.g)) return false;
       nodes_.open(node, g, arrival);
       observer.on_relax(next, arrival, g);

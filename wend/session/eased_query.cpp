@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "wend/geometry/angle.hpp"
@@ -23,6 +24,29 @@ bool gave_up(Status status, const Limits& limits) {
          (status == Status::expansion_limit && limits.expansions == none.expansions);
 }
 
+Point first_of(const Path& path) {
+  return path.visit([](std::span<const Cell> cells) { return centre_of(cells.front()); },
+                    [](std::span<const Point> points) { return points.front(); },
+                    [](const JoinedPoses& drive) { return drive.poses().front().point(); });
+}
+
+Point last_of(const Path& path) {
+  return path.visit([](std::span<const Cell> cells) { return centre_of(cells.back()); },
+                    [](std::span<const Point> points) { return points.back(); },
+                    [](const JoinedPoses& drive) { return drive.poses().back().point(); });
+}
+
+/// Where a map has no metres, the ends of a planner on cells are cells.
+bool names_cells(const Planner& planner, const Frame& frame) {
+  return planner.grid_moves() && !frame.metric;
+}
+
+Point middle_under(Point point) {
+  constexpr double kMost = 1e9;  // beyond it there is no cell
+  const bool fits = std::abs(point.x) < kMost && std::abs(point.y) < kMost;
+  return fits ? centre_of(cell_at(point)) : point;
+}
+
 }  // namespace
 
 Ends ends_of(const Query& query, const Units& units) {
@@ -40,6 +64,11 @@ EasedQuery::EasedQuery(Query query, Planner& planner, const Explainer& explainer
       leeway_(leeway),
       asked_start_(query_.start),
       asked_goals_(query_.goals) {
+  if (names_cells(planner_, units_.frame())) {
+    const Point start = middle_under(asked_start_.point());
+    asked_start_ = {start.x, start.y, asked_start_.heading};
+    for (Goal& goal : asked_goals_) goal.point = middle_under(goal.point);
+  }
   if (leeway_.escape > 0) lead_start_out();
   if (leeway_.nearest) move_ends();
   if (leeway_.closest) remaining_ = 0;
@@ -107,6 +136,11 @@ void EasedQuery::finish(Plan& plan) {
           distance(first.point(), asked_start_.point()),
           std::abs(normalized_angle(first.heading - asked_start_.heading))};
     }
+  }
+  if (!plan.path.driven()) {
+    const Point first = lead_.empty() ? first_of(plan.path) : first_of(lead_);
+    plan.start_snapping_error = {distance(first, asked_start_.point()), 0};
+    plan.goal_snapping_error = {distance_to_goals(last_of(plan.path), asked_goals_), 0};
   }
   if (!goals_eased_) return;
   const Point end = plan.path.points().back();

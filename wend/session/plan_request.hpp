@@ -85,11 +85,19 @@ struct PlanAnswer {
   /// were moved because no path reaches them.
   std::optional<double> remaining = {};
 
+  /// How far the path begins from the start that was asked for, in metres: in the middle of a cell or at a vertex.
+  double start_shift() const { return in_metres(plan.start_snapping_error.distance); }
+  /// The same of its end and the goal that is nearest to it, tolerance included.
+  double goal_shift() const { return in_metres(plan.goal_snapping_error.distance); }
+
   /// The path, refined if it could be; in grid coordinates.
   const Path& path() const { return refined ? refined->path : plan.path; }
 
   /// Its poses in metres of the map's frame. O(n).
   WEND_API std::vector<MapPose> poses() const;
+
+ private:
+  double in_metres(double cells) const { return cells * space.map().frame().resolution; }
 };
 
 /// Why there is no answer, in a sentence that says where and what would help.

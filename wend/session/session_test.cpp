@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/drawn_map.hpp"
 #include "wend/base/random.hpp"
 #include "wend/base/thread_workers.hpp"
 #include "wend/session/nearest_ends.hpp"
@@ -156,6 +157,34 @@ TEST(Session, MovesEachOfSeveralBlockedGoals) {
   ASSERT_TRUE(answer) << answer.error().message;
   EXPECT_EQ(answer->notes.size(), 2U);
   EXPECT_NEAR(answer->poses().back().x, 2.95, 1e-9);
+}
+
+TEST(Session, SaysHowFarTheEndsMoved) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  request.start.x += 0.03;
+  request.goals.front().point.y -= 0.04;
+  const auto answer = session.plan(request);
+  ASSERT_TRUE(answer) << answer.error().message;
+  const MapPose first = answer->poses().front();
+  const MapPose last = answer->poses().back();
+  const MapPoint goal = request.goals.front().point;
+  EXPECT_NEAR(answer->start_shift(),
+              std::hypot(first.x - request.start.x, first.y - request.start.y), 1e-12);
+  EXPECT_NEAR(answer->goal_shift(), std::hypot(last.x - goal.x, last.y - goal.y), 1e-12);
+  EXPECT_GT(answer->start_shift(), 0.02);
+  EXPECT_GT(answer->goal_shift(), 0.02);
+}
+
+TEST(Session, TakesEndsForCellsWhereAMapHasNoMetres) {
+  Session session(test::drawn_map("....#.."));
+  PlanRequest request{{0, 0, 0}, {{{5, 0}}}};
+  request.closest = true;
+  const auto answer = session.plan(request);
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_EQ(answer->remaining, 2);
+  EXPECT_EQ(answer->start_shift(), 0);
+  EXPECT_EQ(answer->goal_shift(), 2);
 }
 
 TEST(Session, EndsWithinATolerance) {

@@ -225,9 +225,10 @@ class FollowerNode {
     const auto lies = lies_in(map->view.frame_id);
     if (!lies) return halt("no_pose", lies.error());
     if (!begin(*where)) return *where;
-    const auto blocked = guard_->path().why_blocked(
-        {map->view.space, *lies}, route_, joins_at_ ? joins_at_->leg : follower_.leg(),
-        joins_at_ ? joins_at_->along : follower_.along_leg());
+    const auto blocked =
+        guard_->path().why_blocked({map->view.space, *lies}, route_,
+                                   {joins_at_ ? joins_at_->leg : follower_.leg(),
+                                    joins_at_ ? joins_at_->along : follower_.along_leg(), *where});
     if (blocked) return halt("blocked", *blocked);
     return *where;
   }

@@ -9,9 +9,9 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/arc.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/path_collision.hpp"
-#include "wend/path/polyline.hpp"
 #include "wend/robot/swept_clearance.hpp"
 
 namespace wend_ros {
@@ -80,30 +80,21 @@ double rounded(double metres) {
   return std::round(kParts * metres) / kParts;
 }
 
-std::string text_of(const wend::PathCollision& collision, double before,
-                    const wend::FreeSpace& space) {
+std::string text_of(const wend::PathCollision& collision, const wend::FreeSpace& space) {
   const wend::Frame& frame = space.map().frame();
   const wend::MapPoint at = frame.to_metres(collision.point);
   std::ostringstream text;
-  text << "blocked " << rounded((before + collision.along) * frame.resolution) << " m ahead, at ("
+  text << "blocked " << rounded(collision.along * frame.resolution) << " m ahead, at ("
        << rounded(at.x) << ", " << rounded(at.y) << "): the path "
        << wend::describe(collision.kind);
   return text.str();
 }
 
-/// Of poses that begin where the robot does not fit: the first at which it does, within `most` poses and never nearer
-/// to an obstacle than before.
-std::optional<std::size_t> way_out(const std::vector<wend::Pose>& poses, std::size_t most,
-                                   const wend::FreeSpace& space) {
-  double clearance = 0;
-  for (std::size_t i = 0; i < std::min(most, poses.size()); ++i) {
-    const double now = wend::arc_clearance(space, {poses[i], 0, 0});
-    constexpr double kRounding = 1e-6;
-    if (now < clearance - kRounding) return std::nullopt;
-    if (space.fits(poses[i])) return i;
-    clearance = now;
-  }
-  return std::nullopt;
+/// The turn with which a robot that stands at the beginning of a leg faces along it.
+std::vector<wend::MapPose> turn_before(const wend::MapPose& robot, const wend::MapPose& first) {
+  constexpr double kAligned = 0.1;  // radians: less is corrected on the way
+  if (std::abs(wend::normalized_angle(first.heading - robot.heading)) < kAligned) return {};
+  return {robot, {robot.x, robot.y, first.heading}};
 }
 
 }  // namespace
@@ -140,28 +131,20 @@ PathGuard::PathGuard(const wend::VelocityLimits& limits, double period, double i
       escape_(options.escape) {}
 
 std::optional<std::string> PathGuard::why_blocked(const GuardedSpace& on, const wend::Route& route,
-                                                  std::size_t leg, double along_leg) const {
+                                                  const RobotOnRoute& robot) const {
+  const auto way = way_ahead(route, robot.leg, robot.along_leg, reach_);
+  std::vector<wend::MapPose> all;
+  if (robot.along_leg == 0 && robot.pose) all = turn_before(*robot.pose, way.front());
+  all.insert(all.end(), way.begin(), way.end());
   std::vector<wend::Pose> poses;
-  for (const wend::MapPose& pose : way_ahead(route, leg, along_leg, reach_)) {
-    poses.push_back(to_grid(on, pose));
-  }
+  for (const wend::MapPose& pose : all) poses.push_back(to_grid(on, pose));
   // Only a point can pass between two obstacles that touch at a corner, and its planner has been told so.
   constexpr auto kCorners = wend::Adjacency::edges_and_corners;
-  const wend::Path path = wend::Path::through(poses);
-  const auto collision = wend::first_collision(path, on.space, kCorners);
-  if (!collision) return std::nullopt;
-  const bool overlaps_now = !on.space.fits(poses.front());
-  constexpr double kSpacing = 0.25;  // cells
-  const auto fine = wend::poses_along(wend::JoinedPoses(path.driven_poses()), kSpacing);
   const double escape = escape_ / on.space.map().frame().resolution;  // cells
-  const auto most = static_cast<std::size_t>(escape / kSpacing) + 1;
-  const auto out = overlaps_now ? way_out(fine, most, on.space) : std::nullopt;
-  if (!out) return text_of(*collision, 0, on.space);
-  const auto rest = wend::first_collision(
-      wend::Path::through({fine.begin() + static_cast<std::ptrdiff_t>(*out), fine.end()}), on.space,
-      kCorners);
-  if (!rest) return std::nullopt;
-  return text_of(*rest, kSpacing * static_cast<double>(*out), on.space);
+  const auto checked =
+      wend::check_with_lead(wend::Path::through(std::move(poses)), on.space, escape, kCorners);
+  if (!checked.collision) return std::nullopt;
+  return text_of(*checked.collision, on.space);
 }
 
 bool PathGuard::can_reach(const GuardedSpace& on, wend::MapPoint from, wend::MapPoint to) const {

@@ -41,7 +41,7 @@ PathGuard guard(double escape = 0) {
 }
 
 bool blocked(const wend::FreeSpace& space, double along) {
-  return guard().why_blocked({space}, straight(), 0, along).has_value();
+  return guard().why_blocked({space}, straight(), {0, along}).has_value();
 }
 
 TEST(PathGuard, LooksAsFarAsTheRobotNeedsToStopAndFarther) {
@@ -56,7 +56,7 @@ TEST(PathGuard, LooksAsFarAsTheRobotNeedsToStopAndFarther) {
 
 TEST(PathGuard, SaysWhereAndWhy) {
   const wend::FreeSpace space = space_with({{50, 30}});
-  const auto fault = guard().why_blocked({space}, straight(), 0, 3);
+  const auto fault = guard().why_blocked({space}, straight(), {0, 3});
   ASSERT_TRUE(fault);
   EXPECT_EQ(*fault,
             "blocked 0.7 m ahead, at (1.7, 5): the path comes closer to an obstacle than the "
@@ -68,8 +68,8 @@ TEST(PathGuard, KnowsWhereTheFrameOfTheRouteLies) {
   const wend::Route up(wend::Path::along({{0, 0}, {0, 4}}), wend::Frame{});
   // Turned by -90 degrees, the way up is one along +x from (1, 5).
   const wend::MapPose lies{1, 5, -wend::kPi / 2};
-  EXPECT_TRUE(guard().why_blocked({space, lies}, up, 0, 0));
-  EXPECT_FALSE(guard().why_blocked({space, {1, 3, -wend::kPi / 2}}, up, 0, 0));
+  EXPECT_TRUE(guard().why_blocked({space, lies}, up, {0, 0}));
+  EXPECT_FALSE(guard().why_blocked({space, {1, 3, -wend::kPi / 2}}, up, {0, 0}));
 }
 
 TEST(PathGuard, SweepsAPolygonAsItIsDriven) {
@@ -78,11 +78,11 @@ TEST(PathGuard, SweepsAPolygonAsItIsDriven) {
   const wend::FreeSpace space = space_with({{50, 30}}, robot);  // from x = 2 on
   const wend::Path back = wend::Path::through({{0, 5, wend::kPi}, {1.5, 5, wend::kPi}});
   const wend::Path ahead = wend::Path::through({{0, 5, 0}, {1.5, 5, 0}});
-  EXPECT_TRUE(guard().why_blocked({space}, wend::Route(back, wend::Frame{}), 0, 0))
+  EXPECT_TRUE(guard().why_blocked({space}, wend::Route(back, wend::Frame{}), {0, 0}))
       << "in reverse its long rear leads";
-  EXPECT_FALSE(guard().why_blocked({space}, wend::Route(ahead, wend::Frame{}), 0, 0));
+  EXPECT_FALSE(guard().why_blocked({space}, wend::Route(ahead, wend::Frame{}), {0, 0}));
   const wend::Path turn = wend::Path::through({{0.9, 5, 0}, {1, 5, 0}, {1, 5, wend::kPi}});
-  EXPECT_TRUE(guard().why_blocked({space}, wend::Route(turn, wend::Frame{}), 0, 0))
+  EXPECT_TRUE(guard().why_blocked({space}, wend::Route(turn, wend::Frame{}), {0, 0}))
       << "where it turns at the end, its rear comes round";
 }
 
@@ -117,7 +117,7 @@ TEST(PathGuard, IsWhatADiscSaysThatIsPutDownEachCentimetre) {
       }
       nearest = std::min({nearest, at.x + 3, 7 - at.x, at.y - 2, 8 - at.y});  // the map's edge
     }
-    const bool is_blocked = guard().why_blocked({space}, route, 0, from).has_value();
+    const bool is_blocked = guard().why_blocked({space}, route, {0, from}).has_value();
     if (nearest < 0.3) ASSERT_TRUE(is_blocked) << round;
     if (nearest > 0.31) ASSERT_FALSE(is_blocked) << round;
     (is_blocked ? hits : free) += 1;
@@ -128,13 +128,33 @@ TEST(PathGuard, IsWhatADiscSaysThatIsPutDownEachCentimetre) {
 
 TEST(PathGuard, LetsARobotLeaveAnObstacleThatItOverlapsAndNoFarther) {
   const wend::FreeSpace space = space_with({{9, 30}});  // ends at x = -2, where the route begins
-  EXPECT_TRUE(guard().why_blocked({space}, straight(), 0, 0.1)) << "no escape is allowed";
-  EXPECT_FALSE(guard(0.25).why_blocked({space}, straight(), 0, 0.1));
-  EXPECT_TRUE(guard(0.1).why_blocked({space}, straight(), 0, 0.1)) << "it needs 0.2 m";
+  EXPECT_TRUE(guard().why_blocked({space}, straight(), {0, 0.1})) << "no escape is allowed";
+  EXPECT_FALSE(guard(0.25).why_blocked({space}, straight(), {0, 0.1}));
+  EXPECT_TRUE(guard(0.1).why_blocked({space}, straight(), {0, 0.1})) << "it needs 0.2 m";
   const wend::Route towards(wend::Path::along({{-1.8, 5}, {-2.5, 5}}), wend::Frame{});
-  EXPECT_TRUE(guard(0.25).why_blocked({space}, towards, 0, 0)) << "it would come nearer";
+  EXPECT_TRUE(guard(0.25).why_blocked({space}, towards, {0, 0})) << "it would come nearer";
   const wend::FreeSpace more = space_with({{9, 30}, {22, 30}});  // from x = -0.8 on
-  EXPECT_TRUE(guard(0.25).why_blocked({more}, straight(), 0, 0.1)) << "there is another one";
+  EXPECT_TRUE(guard(0.25).why_blocked({more}, straight(), {0, 0.1})) << "there is another one";
+}
+
+TEST(PathGuard, SweepsTheTurnBeforeALeg) {
+  const auto robot = *wend::parse_footprint("[[0.8, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.8, -0.2]]");
+  const wend::FreeSpace space =
+      space_with({{10, 36}}, robot);  // beside the beginning, 0.6 m to the left
+  EXPECT_FALSE(guard().why_blocked({space}, straight(), {0, 0}));
+  EXPECT_FALSE(guard().why_blocked({space}, straight(), {0, 0, wend::MapPose{-2, 5, 0.05}}));
+  EXPECT_TRUE(guard().why_blocked({space}, straight(), {0, 0, wend::MapPose{-2, 5, 2.5}}));
+  EXPECT_FALSE(guard().why_blocked({space}, straight(), {0, 0, wend::MapPose{-2, 5, -2.5}}));
+  EXPECT_FALSE(guard().why_blocked({space}, straight(), {0, 1, wend::MapPose{-1, 5, 2.5}}));
+}
+
+TEST(PathGuard, LetsAPolygonLeaveOnlyWhereItNeverOverlapsMore) {
+  const auto robot = *wend::parse_footprint("[[0.8, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.8, -0.2]]");
+  const wend::FreeSpace behind = space_with({{8, 30}}, robot);  // its rear overlaps 0.1 m
+  EXPECT_TRUE(guard().why_blocked({behind}, straight(), {0, 0}));
+  EXPECT_FALSE(guard(0.25).why_blocked({behind}, straight(), {0, 0}));
+  const wend::FreeSpace ahead = space_with({{17, 30}}, robot);
+  EXPECT_TRUE(guard(0.25).why_blocked({ahead}, straight(), {0, 0}));
 }
 
 TEST(CanReach, IsNotAcrossAWall) {

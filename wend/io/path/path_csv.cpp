@@ -13,12 +13,14 @@
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_coordinates.hpp"
 #include "wend/io/text.hpp"
+#include "wend/path/gears.hpp"
 
 namespace wend {
 namespace {
 
 constexpr std::string_view kCellHeader = "x,y,x_m,y_m";
-constexpr std::string_view kPoseHeader = "x,y,heading,x_m,y_m,yaw";
+constexpr std::string_view kPoseHeader = "x,y,heading,x_m,y_m,yaw,gear";
+constexpr std::string_view kOldPoseHeader = "x,y,heading,x_m,y_m,yaw";
 constexpr std::string_view kWaypointHeader = "x_grid,y_grid,x_m,y_m,yaw";
 constexpr std::string_view kNoPathComment = "# no path: ";
 constexpr std::size_t kLongestHeader = 60;  // in an error
@@ -200,15 +202,29 @@ std::string csv_of(std::span<const Cell> cells, const Frame& frame) {
   return text;
 }
 
-/// With the headings in grid coordinates too if a car drives there.
-std::string csv_of(std::span<const Pose> poses, const Frame& frame, bool driven) {
-  std::string text = fmt::format("{}\n", driven ? kPoseHeader : kWaypointHeader);
+// {fmt} also writes the shortest text, but does not write a million as 1e+06.
+
+std::string csv_of_waypoints(std::span<const Pose> poses, const Frame& frame) {
+  std::string text = fmt::format("{}\n", kWaypointHeader);
   for (const Pose& pose : poses) {
     const MapPose metres = frame.to_metres(pose);
-    const std::string heading = driven ? heading_text(pose.heading, frame) + "," : "";
-    // {fmt} also writes the shortest text, but does not write a million as 1e+06.
-    fmt::format_to(std::back_inserter(text), "{},{},{}{},{}\n", pose.x, pose.y, heading,
+    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", pose.x, pose.y,
                    metres_text(metres.point()), format_number(metres.heading));
+  }
+  return text;
+}
+
+/// The gear of the piece that leads to each pose; the first has that of the piece that begins there.
+std::string csv_of_poses(const Path& path, const Frame& frame) {
+  std::vector<int> gears = gears_of(path);
+  gears.insert(gears.begin(), gears.empty() ? 0 : gears.front());
+  std::string text = fmt::format("{}\n", kPoseHeader);
+  for (std::size_t i = 0; i < gears.size(); ++i) {
+    const Pose& pose = path.driven_poses()[i];
+    const MapPose metres = frame.to_metres(pose);
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", pose.x, pose.y,
+                   heading_text(pose.heading, frame), metres_text(metres.point()),
+                   format_number(metres.heading), gears[i]);
   }
   return text;
 }
@@ -217,8 +233,8 @@ std::string csv_of(std::span<const Pose> poses, const Frame& frame, bool driven)
 
 std::string path_csv(const Path& path, const Frame& frame) {
   return path.visit([&](std::span<const Cell> cells) { return csv_of(cells, frame); },
-                    [&](std::span<const Point>) { return csv_of(path.poses(), frame, false); },
-                    [&](const JoinedPoses& joined) { return csv_of(joined.poses(), frame, true); });
+                    [&](std::span<const Point>) { return csv_of_waypoints(path.poses(), frame); },
+                    [&](const JoinedPoses&) { return csv_of_poses(path, frame); });
 }
 
 std::string no_path_csv(const FailedPlan& plan, std::string_view header) {
@@ -248,7 +264,7 @@ Expected<Path, PathFileError> parse_path_csv(std::string_view text, const std::s
       path.append({x, columns.cell_coordinate(1)});
       columns.check_numbers(2);
     });
-  } else if (header == kPoseHeader) {
+  } else if (header == kPoseHeader || header == kOldPoseHeader) {
     read = read_lines(lines, columns, file, [&] {
       const Point point{columns.coordinate(0), columns.coordinate(1)};
       path.drive_to({point.x, point.y, columns.heading(2, frame.y_up)});
@@ -265,9 +281,8 @@ Expected<Path, PathFileError> parse_path_csv(std::string_view text, const std::s
   }
   if (!read) return Unexpected<PathFileError>(read.error());
   if (!path.empty()) return path;
-  return empty_path(file, header == kCellHeader   ? "cell"
-                          : header == kPoseHeader ? "pose"
-                                                  : "point");
+  const bool poses = header == kPoseHeader || header == kOldPoseHeader;
+  return empty_path(file, header == kCellHeader ? "cell" : poses ? "pose" : "point");
 }
 
 }  // namespace wend

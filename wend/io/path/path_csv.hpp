@@ -9,13 +9,15 @@
 // One line for each cell, including start and goal: column and row, then the cell's centre in the map's
 // frame, in metres (cells for a map without a resolution). A driven path has one line for each pose:
 //
-//   x,y,heading,x_m,y_m,yaw
-//   1,0,E,0.05,0,0
-//   2,1,S,0.1,0.05,1.5707963267948966
+//   x,y,heading,x_m,y_m,yaw,gear
+//   1,0,E,0.05,0,0,1
+//   2,1,S,0.1,0.05,1.5707963267948966,1
 //
 // The point in grid coordinates (a car stands on corners, which are whole numbers) and the heading,
 // N, W, E or S as drawn; any other is a number, radians from +x towards +y of the grid. Then the
-// same in the map's frame: metres, and radians counter-clockwise from its +x.
+// same in the map's frame: metres, and radians counter-clockwise from its +x. The gear is that of the piece
+// that leads to the pose (gears_of(); of the first pose, of the piece that begins there): 1 ahead, -1 in
+// reverse, 0 for a turn in place. It is not read back, as the poses say it; files without it are read too.
 //
 // A path of waypoints has one line for each waypoint:
 //

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 constexpr std::string_view kWrongHeader =
-    "the first line must be 'x,y,x_m,y_m', 'x,y,heading,x_m,y_m,yaw' or "
+    "the first line must be 'x,y,x_m,y_m', 'x,y,heading,x_m,y_m,yaw,gear' or "
     "'x_grid,y_grid,x_m,y_m,yaw', or name columns x_m and y_m, not ";
 
 struct Malformed {

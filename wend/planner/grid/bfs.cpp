@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-using BfsEngine = GridEngineOf<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first>;
+using BfsEngine = GridEngineOf<ExactGrid, FifoFrontier, ByFewestSteps, DuplicateRule::keep_first>;
 
 /// The fewest steps are the cheapest path where all steps cost the same, and within sqrt(2) of it
 /// where some are diagonal.
@@ -21,7 +21,7 @@ double bound(const FreeSpace& space, const GridMoves& moves) {
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const BfsOptions& options) {
   const GridMoves& moves = options.moves;
-  return {moves, std::make_unique<BfsEngine>(ExactGrid(space, moves), ByArrival()),
+  return {moves, std::make_unique<BfsEngine>(ExactGrid(space, moves), ByFewestSteps()),
           bound(space, moves)};
 }
 
@@ -31,7 +31,9 @@ PlannerInfo bfs_planner() {
   return grid_planner<BfsOptions>(
       {.name = "bfs",
        .summary = "Breadth-first search: expands cells in the order in which they are reached",
-       .idea = "Its frontier is a queue, so the first path to the goal has the fewest steps.",
+       .idea = "Its frontier is a queue, so the first path to the goal has the fewest steps; among "
+               "such "
+               "paths it keeps a shortest one.",
        .citation = "Moore 1959",
        .guarantee_text = "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
                          "sqrt(2) times the optimum on 8",

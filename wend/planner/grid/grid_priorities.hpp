@@ -45,6 +45,14 @@ class ByArrival : public TowardsGoals {
   double f(Cell /*cell*/, double g) const { return g; }
 };
 
+/// That of arrival, and among ways of as few steps the shortest one.
+class ByFewestSteps : public ByArrival {
+ public:
+  bool replaces(std::uint64_t g, std::uint64_t before) const {
+    return g < before && steps_of_cost(g) == steps_of_cost(before);
+  }
+};
+
 /// f, then the larger g, as one comparison of whole numbers.
 template <class Cost>
 class ExactKey;

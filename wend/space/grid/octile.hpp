@@ -46,6 +46,19 @@ inline OctileWay octile_way(Cell from, Cell to) {
   return {std::abs(wide - high), std::min(wide, high)};
 }
 
+/// How many steps of each kind have a cost in OctileUnits<std::uint64_t>: fewer than kStraight of them.
+/// kDiagonal squared is -1 modulo kStraight, as the pair is a convergent of sqrt(2): so it is, but for the
+/// sign, its own inverse.
+constexpr std::uint64_t steps_of_cost(std::uint64_t cost) {
+  using Units = OctileUnits<std::uint64_t>;
+  constexpr std::uint64_t kRest = Units::kDiagonal % Units::kStraight;
+  constexpr bool kNegative = kRest * kRest % Units::kStraight == Units::kStraight - 1;
+  static_assert(kNegative || kRest * kRest % Units::kStraight == 1);
+  constexpr std::uint64_t kInverse = kNegative ? Units::kStraight - kRest : kRest;
+  const std::uint64_t diagonal = cost % Units::kStraight * kInverse % Units::kStraight;
+  return diagonal + (cost - diagonal * Units::kDiagonal) / Units::kStraight;
+}
+
 /// The cost of the octile path, in OctileUnits<Cost>.
 template <class Cost>
 Cost octile_cost(Cell from, Cell to) {

@@ -4,7 +4,8 @@
 // the route: as far as the robot needs to stop from its highest speed, and look_ahead more. Knows no ROS.
 //
 //   const wend_ros::PathGuard guard(limits, 0.05, {});
-//   const auto fault = guard.why_blocked({space, path_in_map}, route, follower.leg(), follower.along_leg());
+//   const auto fault = guard.why_blocked({space, path_in_map}, route,
+//                                         {follower.leg(), follower.along_leg(), pose});
 //   if (fault) brake(*fault);
 //
 // Metres, radians and seconds, in the frame of the route.
@@ -53,6 +54,14 @@ struct GuardedSpace {
   wend::MapPose route_in_map = {};
 };
 
+/// Where a robot is on a route.
+struct RobotOnRoute {
+  std::size_t leg = 0;
+  double along_leg = 0;
+  std::optional<wend::MapPose> pose =
+      {};  // in the route's frame; unset: it stands on the route and faces along it
+};
+
 class PathGuard {
  public:
   /// `period`: between two tests. `inscribed_radius`: of the robot.
@@ -63,10 +72,11 @@ class PathGuard {
   double reach() const { return reach_; }
 
   /// Why the robot must not drive on from that place of the route, if it must not: "blocked 0.8 m ahead, at (3.2, 1.5):
-  /// the path enters an obstacle". A robot that overlaps an obstacle there may leave it, within `escape`, as long as it
-  /// never comes nearer to one.
+  /// the path enters an obstacle". At the beginning of a leg, the turn that makes it face along the leg is swept first.
+  /// A robot that overlaps an obstacle there may leave it, within `escape`, as long as it never overlaps more of it
+  /// (wend::check_with_lead()).
   std::optional<std::string> why_blocked(const GuardedSpace& on, const wend::Route& route,
-                                         std::size_t leg, double along_leg) const;
+                                         const RobotOnRoute& robot) const;
 
   /// Is the straight line free?
   bool can_reach(const GuardedSpace& on, wend::MapPoint from, wend::MapPoint to) const;
