@@ -21,14 +21,21 @@ Expected<Path, Error> simplified_by(const Simplification& simplify, const Path& 
 }
 
 SmoothingResult smoothed_by(const SmootherChoice& choice, const Path& path, const FreeSpace& space,
-                            Adjacency adjacency) {
+                            Adjacency adjacency, const Deadline& deadline) {
   OptionValues options = choice.options;
   if (!path.driven() && adjacency == Adjacency::edges_and_corners) {
     options.insert(options.begin(), {"squeeze", "true"});
   }
   const auto smoother = make_smoother(choice.name, options);
   if (!smoother) return Unexpected<Error>(smoother.error());
-  return (*smoother)(path, space);
+  if (!deadline.bounded()) return (*smoother)(path, space);
+  return (*smoother)(path, space, [&deadline] { return deadline.passed(); });
+}
+
+/// Why the next stage must not begin.
+std::optional<Error> stopped_before(const char* stage, const Deadline& deadline) {
+  if (!deadline.passed()) return std::nullopt;
+  return Error{deadline.status(), deadline.text() + ", before the path was " + stage};
 }
 
 }  // namespace
@@ -39,24 +46,26 @@ SmootherChoice smoother_for(const Path& path, const SmootherChoice& choice) {
 }
 
 Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
-                                 const Refinement& refinement) {
+                                 const Refinement& refinement, const Deadline& deadline) {
   const Adjacency adjacency = refinement.adjacency;
   if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
   Refined refined{path};
   if (refinement.simplify) {
+    if (auto stopped = stopped_before("simplified", deadline)) return Unexpected<Error>(*stopped);
     auto simplified = simplified_by(*refinement.simplify, path, space, adjacency);
     if (!simplified) return Unexpected<Error>(std::move(simplified).error());
     refined.path = *std::move(simplified);
   }
   if (refinement.smoother) {
+    if (auto stopped = stopped_before("smoothed", deadline)) return Unexpected<Error>(*stopped);
     // Long lines of cells have too few points to bend.
     if (!refined.path.cells().empty() && !refined.path.of_steps()) {
       auto dense = resampled(refined.path, 1, space, adjacency);
       if (!dense) return Unexpected<Error>(std::move(dense).error());
       refined.path = *std::move(dense);
     }
-    auto smoothed =
-        smoothed_by(smoother_for(path, *refinement.smoother), refined.path, space, adjacency);
+    auto smoothed = smoothed_by(smoother_for(path, *refinement.smoother), refined.path, space,
+                                adjacency, deadline);
     if (!smoothed) return Unexpected<Error>(std::move(smoothed).error());
     refined.path = smoothed->path;
     refined.smoothing = *std::move(smoothed);
