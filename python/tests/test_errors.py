@@ -5,6 +5,8 @@ from __future__ import annotations
 import multiprocessing
 import pickle
 import time
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,9 +16,9 @@ import wend.testing
 WALL = [[0, 1, 0]]
 
 
-def a_failure(call: object) -> Exception:
+def a_failure(call: Callable[[], object]) -> Any:
     with pytest.raises(Exception) as caught:  # noqa: PT011
-        call()  # type: ignore[operator]
+        call()
     return caught.value
 
 
@@ -29,7 +31,7 @@ class Through(wend.PlannerBase):
         return [robot_pose, goal_pose]
 
 
-FAILURES = {
+FAILURES: dict[str, Callable[[], object]] = {
     "NoPath": plan_through_the_wall,
     "a limit": lambda: wend.Map([[0] * 99]).free_space().plan((0, 0), (98, 0), expansions=1),
     "InvalidArgument": lambda: wend.Map([[0, 7]]),
@@ -70,13 +72,13 @@ def test_the_reason_is_found_out_when_it_is_read() -> None:
     space.plan(start, (100.5, 0.5))  # the planner is ready
     space.plan_many([start], [goal])
 
-    def cpu_seconds(call: object) -> tuple[float, object]:
+    def cpu_seconds(call: Callable[[], Any]) -> tuple[Any, float]:
         begun = time.process_time()
-        return call(), time.process_time() - begun  # type: ignore[operator,return-value]
+        return call(), time.process_time() - begun
 
     failure, planned = cpu_seconds(lambda: a_failure(lambda: space.plan(start, goal)))
-    reason, read = cpu_seconds(lambda: failure.reason)  # type: ignore[attr-defined]
-    assert "connected component" in reason  # type: ignore[operator]
+    reason, read = cpu_seconds(lambda: failure.reason)
+    assert "connected component" in reason
     assert planned < read / 4
     again, kept = cpu_seconds(lambda: str(failure))
     assert again == reason and kept < read / 4
