@@ -131,10 +131,26 @@ static void check_ends(wend_session* session, const wend_request* request) {
   CHECK(wend_session_plan(session, &eased, &plan, NULL) == WEND_GOAL_OUTSIDE);
 }
 
-static void take_solution(const wend_plan* plan, void* context) {
+static int32_t take_solution(const wend_plan* plan, void* context) {
   double* last = (double*)context;
   CHECK(wend_plan_cost(plan) <= *last && wend_plan_bound(plan) >= 1);
   *last = wend_plan_cost(plan);
+  return 0;
+}
+
+static void check_cancel(wend_session* session, const wend_request* request) {
+  wend_request stopped = *request;
+  wend_cancel* cancel = NULL;
+  wend_plan* plan = NULL;
+  wend_error error;
+  CHECK(wend_cancel_create(&cancel, &error) == WEND_OK);
+  stopped.cancel = cancel;
+  wend_cancel_set(cancel, 1);
+  CHECK(wend_session_plan(session, &stopped, &plan, &error) == WEND_CANCELLED && plan == NULL);
+  wend_cancel_set(cancel, 0);
+  CHECK(wend_session_plan(session, &stopped, &plan, &error) == WEND_OK);
+  wend_plan_free(plan);
+  wend_cancel_free(cancel);
 }
 
 static void check_solutions(wend_session* session, const wend_request* request) {
@@ -191,6 +207,7 @@ static void check_session(void) {
   check_plan(session, &request);
   check_ends(session, &request);
   check_solutions(session, &request);
+  check_cancel(session, &request);
   check_field(session, &request);
   wend_session_free(session);
 }

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <atomic>
+#include <new>
 #include <thread>
 #include <vector>
 
+#include "wend/base/thread_workers.hpp"
 #include "wend/session/session.hpp"
 
 namespace wend {
@@ -98,6 +100,36 @@ TEST(SessionThreads, AnswerOnTheMapThatTheyNameWhileItIsEdited) {
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(wrong, 0);
+}
+
+/// Workers whose memory ends in the middle of a search: an observer of it throws.
+class EndsTheMemory final : public SearchObserver {
+ public:
+  void on_generate(const SearchEvent& /*event*/) override {}
+  void on_relax(const SearchEvent& /*event*/) override {}
+  void on_expand(const SearchEvent& /*event*/) override { throw std::bad_alloc(); }
+};
+
+/// The exception of a worker reaches the caller, and a planner that it stopped answers nothing more.
+TEST(SessionThreads, PlanAsBeforeAfterTheMemoryEndedInAWorker) {
+  for (const char* const planner : {"astar", "dijkstra", "any_angle", "car"}) {
+    SCOPED_TRACE(planner);
+    Session session(room_with_a_wall(false));
+    const auto expected = session.plan(request_for(planner));
+    ASSERT_TRUE(expected);
+    EndsTheMemory observer;
+    std::vector<PlanRequest> requests(8, request_for(planner));
+    requests[5].observer = &observer;
+    ThreadWorkers workers(3);
+    EXPECT_THROW(session.plan_all(requests, {planner}, workers), std::bad_alloc);
+    EndsTheMemory again;
+    PlanRequest stopped = request_for(planner);
+    stopped.observer = &again;
+    EXPECT_THROW(session.plan(stopped), std::bad_alloc);
+    const auto answer = session.plan(request_for(planner));
+    ASSERT_TRUE(answer) << answer.error().message;
+    EXPECT_EQ(answer->plan.cost, expected->plan.cost);
+  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// An index is built by several threads, saved, mapped, and asked by several threads at once. Run under
+// An index is built by several threads, saved, opened, and asked by several threads at once. Run under
 // a thread sanitizer too: scripts/tsan.
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -74,14 +75,14 @@ TEST_P(SharedIndex, AnswersManyThreadsAsItShould) {
     const auto built = info().index_support->build(space, {&workers, {}, nullptr});
     ASSERT_TRUE(built) << built.error().message;
     ASSERT_TRUE(write_index(file_, *built));
-    const auto mapped = open_index(file_);
-    ASSERT_TRUE(mapped);
+    const auto opened = open_index(file_);
+    ASSERT_TRUE(opened);
     std::vector<std::string> wrong(kThreads);
     {
       std::vector<std::jthread> threads;
       for (int i = 0; i < kThreads; ++i) {
         threads.emplace_back([&, i] {
-          const auto planner = info().index_support->make_planner(space, {}, *mapped);
+          const auto planner = info().index_support->make_planner(space, {}, *opened);
           const auto reference =
               make_planner(info().capabilities.any_angle ? "any_angle" : "astar", space);
           std::string& said = wrong[static_cast<std::size_t>(i)];
@@ -92,6 +93,24 @@ TEST_P(SharedIndex, AnswersManyThreadsAsItShould) {
     }
     for (const std::string& said : wrong) EXPECT_EQ(said, "");
   }
+}
+
+/// Whoever writes to the file while it is open harms nobody; who opens it then learns that it is damaged.
+TEST_P(SharedIndex, SurvivesThatItsFileIsOverwritten) {
+  const FreeSpace space = space_of("office");
+  const auto built = info().index_support->build(space, {});
+  ASSERT_TRUE(built && write_index(file_, *built));
+  const auto opened = open_index(file_);
+  ASSERT_TRUE(opened);
+  std::ofstream(file_, std::ios::binary | std::ios::trunc) << "something else";  // in place
+  EXPECT_TRUE(std::ranges::equal(opened->bytes(), built->bytes()));
+  const auto planner = info().index_support->make_planner(space, {}, *opened);
+  const auto reference = make_planner(info().capabilities.any_angle ? "any_angle" : "astar", space);
+  ASSERT_TRUE(planner && reference);
+  EXPECT_EQ(wrong_answer(**planner, **reference, 1), "");
+  const auto damaged = open_index(file_);
+  ASSERT_TRUE(damaged);
+  EXPECT_FALSE(info().index_support->make_planner(space, {}, *damaged));
 }
 
 TEST_P(SharedIndex, IsTheSameHoweverManyThreadsBuildIt) {

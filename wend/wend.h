@@ -312,8 +312,20 @@ WEND_C_API void wend_session_free(wend_session* session);
 typedef struct wend_plan wend_plan;
 
 /// Receives a path of an anytime planner, on the thread that plans. The plan is the library's, valid until the
-/// function returns; its path is as the planner found it. The function must not use the session.
-typedef void (*wend_solution_function)(const wend_plan* plan, void* context);
+/// function returns; its path is as the planner found it. Returns 0 to go on; another number ends the search, and this
+/// path is the answer. The function must not use the session.
+typedef int32_t (*wend_solution_function)(const wend_plan* plan, void* context);
+
+/// A flag that ends calls: see wend_request.cancel.
+typedef struct wend_cancel wend_cancel;
+
+/// Makes a flag that is not set. Free it with wend_cancel_free(), after the calls that it is for.
+WEND_C_API wend_status wend_cancel_create(wend_cancel** cancel, wend_error* error);
+/// Sets the flag (1) or clears it (0); nothing for null. Any thread may call it at any time, and so may a signal
+/// handler.
+WEND_C_API void wend_cancel_set(wend_cancel* cancel, int32_t set);
+/// Frees a flag.
+WEND_C_API void wend_cancel_free(wend_cancel* cancel);
 
 /// A query: from where to where, and how.
 typedef struct wend_request {
@@ -325,7 +337,7 @@ typedef struct wend_request {
   double heading_tolerance;  // radians, >= 0: the same for the heading; default 0
   const char* planner;       // a planner and its options: "astar:weight=1.5"; default "astar"
   uint64_t expansions;       // the most states to expand; default UINT64_MAX
-  double seconds;            // of the search, >= 0; default infinity
+  double seconds;      // of the whole call, with the making of the planner, >= 0; default infinity
   double spacing;      // metres, of the poses along the path; default 0: where the planner has them
   int32_t straighten;  // 1: joins cells by lines along which the robot fits; default 0
   int32_t explain;     // 1: says why there is no path, in O(cells log cells); default 1
@@ -342,6 +354,8 @@ typedef struct wend_request {
       nearest;  // 1: moves blocked ends, and goals that no path reaches, to the nearest place; default 0
   double
       nearest_limit;  // metres, >= 0: how far at most; default NaN: 1, on a map without a resolution any distance
+  const wend_cancel*
+      cancel;  // ends the call with WEND_CANCELLED when another thread sets it; default null
 } wend_request;
 
 /// Sets the defaults. `struct_size` is sizeof(wend_request). Start and goals have none.

@@ -87,7 +87,8 @@ std::string planners_with_index() {
 }
 
 Expected<bool, Error> provide_index(Session& session, const PlannerSpec& planner,
-                                    const IndexArgument& given, WorkTimes& times) {
+                                    const IndexArgument& given, WorkTimes& times,
+                                    const Deadline& deadline) {
   if (given) {
     if (!*given) return Unexpected<Error>(given->error());
     session.set_index(planner.name, (*given)->bytes);
@@ -96,9 +97,14 @@ Expected<bool, Error> provide_index(Session& session, const PlannerSpec& planner
   if (!info_of(planner).index_support) return false;
   ProgressBar bar("index of " + planner.name, kSteps);
   ThreadWorkers workers;
-  const auto built = timed(process_cpu_seconds, times.index.emplace(0), [&] {
-    return session.build_index(planner.name, told_to(bar, workers));
-  });
+  IndexBuilding building = told_to(bar, workers);
+  if (deadline.bounded()) building.deadline = &deadline;
+  const auto built = timed(process_cpu_seconds, times.index.emplace(0),
+                           [&] { return session.build_index(planner.name, building); });
+  if (!built && deadline.passed()) {
+    return failure(deadline.status(),
+                   deadline.text() + ", before the index of " + planner.name + " was built");
+  }
   if (!built) return Unexpected<Error>(built.error());
   return true;
 }

@@ -61,9 +61,10 @@ std::string planners_with_index();
 using IndexArgument = std::optional<Expected<GivenIndex, Error>>;
 
 /// Gives a session's planners of this name the index that they need: the given one, or one that is built
-/// now; sets the time of that. Returns whether it was built.
+/// now, before the deadline; sets the time of that. Returns whether it was built.
 Expected<bool, Error> provide_index(Session& session, const PlannerSpec& planner,
-                                    const IndexArgument& given, WorkTimes& times);
+                                    const IndexArgument& given, WorkTimes& times,
+                                    const Deadline& deadline = {});
 
 }  // namespace cli
 }  // namespace wend

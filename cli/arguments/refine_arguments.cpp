@@ -163,8 +163,8 @@ double RefineArguments::rounding(const Coordinates& coordinates) const {
 }
 
 RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
-                   double corner_rounding) {
-  auto refined = wend::refined(path, space, refinement);
+                   double corner_rounding, const Deadline& deadline) {
+  auto refined = wend::refined(path, space, refinement, deadline);
   if (!refined) throw InputError(refined.error().message);
   return refined_path(path, refinement, *std::move(refined), space, corner_rounding);
 }

@@ -65,7 +65,7 @@ SmootherChoice parse_smoother(std::string_view text);
 
 /// Simplifies, smooths and resamples a path. Throws InputError where that cannot be done.
 RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
-                   double corner_rounding);
+                   double corner_rounding, const Deadline& deadline = {});
 
 /// The same with a way out before both paths.
 RefinedPath with_lead(const Path& lead, RefinedPath path, const FreeSpace& space,

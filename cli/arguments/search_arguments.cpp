@@ -29,8 +29,8 @@ void add_corner_rule(Parser& app, CornerRule& rule) {
 void LimitArguments::add_to(Parser& app) {
   add_count(app, "--limit-expansions", expansions, "Limit on the number of expansions");
   add_number(app, "--limit-time", seconds, kLimitSeconds,
-             "Limit on the search time in seconds (wall time); the time to read the map and make "
-             "the planner does not count");
+             "Limit in seconds (wall time) on making the planner, the search, the reason of a "
+             "failure, and smoothing; reading the map does not count");
 }
 
 Limits LimitArguments::limits(ProgressBar& progress) const {
@@ -45,6 +45,13 @@ Limits LimitArguments::limits(ProgressBar& progress) const {
   };
   limits.cancel = &Interruptible::cancelled();
   return limits;
+}
+
+Deadline LimitArguments::deadline() const {
+  Limits limits;
+  if (seconds) limits.seconds = *seconds;
+  limits.cancel = &Interruptible::cancelled();
+  return Deadline(limits);
 }
 
 double steady_seconds() {

@@ -9,6 +9,7 @@
 #include "cli/arguments/parser.hpp"
 #include "cli/output/progress_bar.hpp"
 #include "wend/analysis/cost_to_go.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -34,6 +35,9 @@ struct LimitArguments {
   /// `progress` is told the cells expanded; it must outlive the search. Within an Interruptible,
   /// Ctrl-C cancels the search.
   Limits limits(ProgressBar& progress) const;
+
+  /// The limit on time and Ctrl-C, for all that a query takes; the time begins. The expansions are those of a search.
+  Deadline deadline() const;
 };
 
 /// Seconds of a monotonic clock.

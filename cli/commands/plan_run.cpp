@@ -64,6 +64,7 @@ bool PlanRun::records() const {
 }
 
 void PlanRun::plan() {
+  deadline_ = arguments_.limits.deadline();
   if (records() || !arguments_.watch.trace.empty()) spec_ = without_leaps(std::move(spec_));
   result_.planner = spec_.name;
   result_.capabilities = info_of(spec_).capabilities;
@@ -90,11 +91,18 @@ void PlanRun::plan() {
 }
 
 Expected<WarmPlanner, Error> PlanRun::make_planner() {
-  const auto built = provide_index(session_, spec_, index_, result_.times);
+  const auto built = provide_index(session_, spec_, index_, result_.times, deadline_);
   if (!built) return Unexpected<Error>(built.error());
   built_index_ = *built;
   return timed(thread_cpu_seconds, result_.times.planner.emplace(0),
-               [&] { return session_.planner(spec_); });
+               [&] { return session_.planner(spec_, deadline_); });
+}
+
+/// The limits of the next search: the time until now counts.
+Limits PlanRun::limits_left(ProgressBar& progress) const {
+  Limits limits = arguments_.limits.limits(progress);
+  limits.seconds = deadline_.seconds_left();
+  return limits;
 }
 
 void PlanRun::search() {
@@ -103,9 +111,10 @@ void PlanRun::search() {
   const Leeway leeway = arguments_.leeway.leeway(coordinates);
   Explainer explainer = explainer_for(space_, coordinates, moves_);
   explainer.allow(leeway);
+  explainer.stop_at(deadline_);
   EasedQuery eased(asked_->query(), **planner_, explainer, coordinates, leeway);
   asked_->move_ends(eased);
-  eased.query().limits = arguments_.limits.limits(progress);
+  eased.query().limits = limits_left(progress);
   ObserverList told;
   Narrator narrator(space_.map().frame());
   if (arguments_.watch.verbose) told.add(narrator);
@@ -127,6 +136,7 @@ void PlanRun::search() {
   }
   if (result_.status == Status::found) eased.finish(result_.plan);
   note_what_was_eased(eased, explainer);
+  eased.query().limits = arguments_.limits.limits(progress);  // as messages name them
   if (result_.status != Status::found) {
     fail(result_.status, explainer.explain(**planner_, eased.query(), ends_of(eased),
                                            result_.status, result_.plan.metrics));
@@ -248,8 +258,13 @@ Status PlanRun::step_by_keys(SteppedSearch& search, const SearchRecorder& record
 }
 
 void PlanRun::refine_path() {
-  result_.refined = refine(result_.plan.path, space_, refinement_,
-                           arguments_.refine.rounding(arguments_.map.coordinates(space_.map())));
+  if (deadline_.passed()) {
+    result_.plan.path.clear();
+    return fail(deadline_.status(), deadline_.text() + ", before the path was refined");
+  }
+  result_.refined =
+      refine(result_.plan.path, space_, refinement_,
+             arguments_.refine.rounding(arguments_.map.coordinates(space_.map())), deadline_);
 }
 
 void PlanRun::time_path() {

@@ -69,6 +69,7 @@ class PlanRun {
 
  private:
   Expected<WarmPlanner, Error> make_planner();
+  Limits limits_left(ProgressBar& progress) const;
   void search();
   void search_to_the_end(Query query);
   void note_what_was_eased(const EasedQuery& eased, const Explainer& explainer);
@@ -104,6 +105,7 @@ class PlanRun {
   Session& session_;
   PlannerSpec spec_;
   IndexArgument index_;
+  Deadline deadline_ = {};  // of all that plan() does
   bool built_index_ = false;
   FreeSpace space_;
   std::unique_ptr<TypedQuery> asked_;

@@ -4,7 +4,7 @@ namespace nb = nanobind;
 
 namespace wend::python {
 
-nb::object exception_of(const Failed& failed) {
+nb::object exception_of(const Failed& failed, const nb::object& unread) {
   const Error& error = failed.error;
   const std::string status(to_string(error.status));
   nb::object work = nb::none();
@@ -13,7 +13,12 @@ nb::object exception_of(const Failed& failed) {
   }
   const nb::object make_error = nb::module_::import_("wend._errors").attr("make_error");
   return make_error(nb::str(status.c_str()), nb::str(error.message.data(), error.message.size()),
-                    nb::str(error.where.data(), error.where.size()), work);
+                    nb::str(error.where.data(), error.where.size()), work, unread);
+}
+
+void raise(const nb::object& exception) {
+  PyErr_SetObject(exception.type().ptr(), exception.ptr());
+  throw nb::python_error();
 }
 
 void translate_errors() {

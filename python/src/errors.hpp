@@ -38,8 +38,12 @@ T value_or_throw(Expected<T, E> result) {
   if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
 
-/// The exception that Python gets, as an object. Needs the interpreter lock.
-nanobind::object exception_of(const Failed& failed);
+/// The exception that Python gets, as an object. `unread` is a Reason, or None. Needs the interpreter lock.
+nanobind::object exception_of(const Failed& failed,
+                              const nanobind::object& unread = nanobind::none());
+
+/// Makes Python raise an exception. Needs the interpreter lock.
+[[noreturn]] void raise(const nanobind::object& exception);
 
 /// Makes nanobind translate Failed.
 void translate_errors();

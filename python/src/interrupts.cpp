@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace nb = nanobind;
@@ -34,12 +36,23 @@ void Interrupts::run(const std::function<void()>& work) {
   std::mutex mutex;
   std::condition_variable ended;
   bool done = false;
-  std::thread worker([&] {
-    work();
+  std::exception_ptr thrown;
+  const auto work_and_tell = [&] {
+    try {
+      work();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
     const std::scoped_lock lock(mutex);
     done = true;
     ended.notify_one();
-  });
+  };
+  std::thread worker;
+  try {
+    worker = std::thread(work_and_tell);
+  } catch (const std::system_error&) {
+    return work();
+  }
   std::unique_lock lock(mutex);
   while (!ended.wait_for(lock, std::chrono::duration<double>(kSeconds), [&] { return done; })) {
     lock.unlock();
@@ -48,6 +61,7 @@ void Interrupts::run(const std::function<void()>& work) {
   }
   lock.unlock();
   worker.join();
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 void Interrupts::throw_if_interrupted() const {

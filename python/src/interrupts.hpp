@@ -4,12 +4,21 @@
 // asks Python whether a signal has arrived; if so, it sets the cancel flag. (Python handles signals on its main
 // thread only; on others nothing arrives.)
 
+#include <nanobind/nanobind.h>
+
 #include <atomic>
 #include <functional>
 
 #include "wend/base/limits.hpp"
 
 namespace wend::python {
+
+/// What make() returns, made without the interpreter lock.
+template <class Make>
+auto unlocked(Make&& make) {
+  const nanobind::gil_scoped_release released;
+  return make();
+}
 
 class Interrupts {
  public:
@@ -22,7 +31,8 @@ class Interrupts {
   void watch(Limits& limits);
 
   /// Runs work, without the lock and on a thread of its own, while the calling thread looks. Work of more than one
-  /// thread stops when cancelled() is set. The caller does not hold the lock. `work` must not throw.
+  /// thread stops when cancelled() is set. The caller does not hold the lock. What `work` throws, this throws. Where the
+  /// system has no more threads, the calling thread works, and does not look.
   void run(const std::function<void()>& work);
 
   /// Throws the exception of the signal, if one has arrived. The caller holds the lock.

@@ -10,6 +10,7 @@
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/cells.hpp"
+#include "python/src/interrupts.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/map/save_map.hpp"
 #include "wend/map/grid_map.hpp"
@@ -32,22 +33,26 @@ GridMap map_of(nb::handle array, std::optional<double> resolution,
 }
 
 auto states_of(const GridMap& map) {
-  std::vector<std::int8_t> states;
-  states.reserve(map.size());
-  for (const Cell cell : every_cell(map)) {
-    const CellState state = map.state(cell);
-    states.push_back(state == CellState::free       ? std::int8_t{0}
-                     : state == CellState::occupied ? std::int8_t{1}
-                                                    : std::int8_t{-1});
-  }
+  auto states = unlocked([&] {
+    std::vector<std::int8_t> found;
+    found.reserve(map.size());
+    for (const Cell cell : every_cell(map)) {
+      const CellState state = map.state(cell);
+      found.push_back(state == CellState::free       ? std::int8_t{0}
+                      : state == CellState::occupied ? std::int8_t{1}
+                                                     : std::int8_t{-1});
+    }
+    return found;
+  });
   return owned_array<std::int8_t, 2>(std::move(states), shape_of(map));
 }
 
 auto terrain_of(const GridMap& map) {
-  std::vector<double> costs(map.size(), 1);
-  if (!map.uniform_terrain()) {
-    costs.assign(map.terrain().values().begin(), map.terrain().values().end());
-  }
+  auto costs = unlocked([&] {
+    if (map.uniform_terrain()) return std::vector<double>(map.size(), 1);
+    const auto values = map.terrain().values();
+    return std::vector<double>(values.begin(), values.end());
+  });
   return owned_array<double, 2>(std::move(costs), shape_of(map));
 }
 

@@ -93,6 +93,48 @@ PlanRequest request_of(nb::handle start, const nb::list& goals, SearchSettings s
   return request;
 }
 
+/// Why plan() failed, found out when it is read: that may take several searches of the whole map.
+class Reason {
+ public:
+  /// `space` is a Space.
+  Reason(nb::object space, Session::View view, PlanRequest request, PlanFailure failure)
+      : space_(std::move(space)),
+        view_(std::move(view)),
+        request_(std::move(request)),
+        failure_(std::move(failure)) {}
+
+  std::string text() const {
+    const Space& space = nb::cast<const Space&>(space_);
+    Interrupts interrupts;
+    Limits limits;
+    interrupts.watch(limits);
+    std::string text;
+    {
+      const nb::gil_scoped_release unlocked;
+      text = space.session().explain(view_, request_, failure_, Deadline(limits));
+    }
+    interrupts.throw_if_interrupted();
+    return text;
+  }
+
+ private:
+  nb::object space_;
+  Session::View view_;
+  PlanRequest request_;
+  PlanFailure failure_;
+};
+
+/// Raises NoPath, whose reason is not yet known.
+[[noreturn]] void raise_unexplained(const Space& space, const Session::View& view,
+                                    PlanRequest request, const PlanFailure& failure) {
+  request.observer = nullptr;
+  request.limits.cancel = nullptr;
+  request.limits.clock = nullptr;
+  const nb::object reason =
+      nb::cast(std::make_unique<Reason>(nb::find(space), view, std::move(request), failure));
+  raise(exception_of(Failed(failure), reason));
+}
+
 Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
              const nb::dict& options, std::optional<double> time_limit,
              std::optional<std::int64_t> expansions, bool nearest,
@@ -103,6 +145,7 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
                  tolerance, heading_tolerance);
   allow(request, {nearest, nearest_limit, escape, closest});
   request.observer = recording;
+  request.explain = false;
   if (keep) request.keep = not_negative(*keep, "keep");
   const Session::View view = space.view();
   Interrupts interrupts;
@@ -112,7 +155,8 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
     return keep ? space.session().replan(view, request) : space.session().plan(view, request);
   }();
   interrupts.throw_if_interrupted();
-  return {value_or_throw(std::move(answer))};
+  if (!answer) raise_unexplained(space, view, std::move(request), answer.error());
+  return {*std::move(answer)};
 }
 
 /// A list of Plan, or of exceptions where there is none.
@@ -251,6 +295,8 @@ std::unique_ptr<Solutions> solutions(const Space& space, nb::handle start, const
 }  // namespace
 
 void bind_solutions(nb::module_& module) {
+  nb::class_<Reason>(module, "Reason", "Why there is no path, not yet found out.")
+      .def("text", &Reason::text);
   nb::class_<Solutions>(module, "Solutions", "The paths of an anytime planner, one by one.")
       .def("next", &Solutions::next);
 }

@@ -110,31 +110,36 @@ auto cost_to_go(const Space& space, const nb::list& goals, const std::string& co
                 const std::string& corner_rule) {
   const auto field = field_of(space, goals, connectivity, corner_rule);
   const auto costs = field->costs().values();
-  return owned_array<double, 2>({costs.begin(), costs.end()}, shape_of(field->costs()));
+  auto copy = unlocked([&] { return std::vector<double>(costs.begin(), costs.end()); });
+  return owned_array<double, 2>(std::move(copy), shape_of(field->costs()));
 }
 
 /// (dx, dy) for every cell; (0, 0) in a goal and without a path.
 auto policy(const Space& space, const nb::list& goals, const std::string& connectivity,
             const std::string& corner_rule) {
   const auto field = field_of(space, goals, connectivity, corner_rule);
-  std::vector<std::int8_t> steps;
-  for (const Cell cell : every_cell(field->costs())) {
-    const auto direction = field->policy(cell);
-    const Cell to = direction ? step({0, 0}, *direction) : Cell{0, 0};
-    steps.insert(steps.end(), {static_cast<std::int8_t>(to.x), static_cast<std::int8_t>(to.y)});
-  }
+  std::vector<std::int8_t> steps = unlocked([&] {
+    std::vector<std::int8_t> found;
+    found.reserve(2 * field->costs().values().size());
+    for (const Cell cell : every_cell(field->costs())) {
+      const auto direction = field->policy(cell);
+      const Cell to = direction ? step({0, 0}, *direction) : Cell{0, 0};
+      found.insert(found.end(), {static_cast<std::int8_t>(to.x), static_cast<std::int8_t>(to.y)});
+    }
+    return found;
+  });
   const auto [height, width] = shape_of(field->costs());
   return owned_array<std::int8_t, 3>(std::move(steps), {height, width, 2});
 }
 
-/// What Session::why_no_path() says, on one view.
+/// What Session::why_no_path() says, on one view. Nothing is said if the deadline passes.
 Expected<NoPath, Error> no_path_between(const FreeSpace& space, MapPoint start, MapPoint goal,
-                                        GridMoves moves) {
+                                        GridMoves moves, const Deadline& deadline) {
   const auto from = cell_under(space, space.map().frame().to_grid(start));
   const auto to = cell_under(space, space.map().frame().to_grid(goal));
   if (!from) return failure(Status::start_outside, "the start is outside the map", "start");
   if (!to) return failure(Status::goal_outside, "the goal is outside the map", "goal");
-  return explain_no_path(space, *from, *to, moves);
+  return explain_no_path(space, *from, *to, moves, deadline).value_or(NoPath{});
 }
 
 nb::tuple explained(const Space& space, nb::handle start, nb::handle goal,
@@ -146,11 +151,16 @@ nb::tuple explained(const Space& space, nb::handle start, nb::handle goal,
   const Frame& frame = free.map().frame();
   NoPath why;
   std::string text;
+  Interrupts interrupts;
+  Limits limits;
+  interrupts.watch(limits);
   {
     const nb::gil_scoped_release unlocked;
-    why = value_or_throw(no_path_between(free, from, to, moves));
+    const Deadline deadline(limits);
+    why = value_or_throw(no_path_between(free, from, to, moves, deadline));
     const Units units(free.map());
-    const Explainer explainer(free, units, moves, hints());
+    Explainer explainer(free, units, moves, hints());
+    explainer.stop_at(deadline);
     const Status status = why.start_component == 0  ? Status::start_blocked
                           : why.goal_component == 0 ? Status::goal_blocked
                           : why.path_exists()       ? Status::found
@@ -159,6 +169,7 @@ nb::tuple explained(const Space& space, nb::handle start, nb::handle goal,
                     {units.place("goal", frame.to_grid(to))}};
     text = status == Status::found ? "there is a path" : explainer.explain(status, ends, {}, {});
   }
+  interrupts.throw_if_interrupted();
   nb::list ways;
   for (const Way& way : why.ways) {
     const MapPoint narrowest = frame.to_metres(way.widest.narrowest);
@@ -186,27 +197,36 @@ std::tuple<double, double, double> nearest(const Space& space, nb::handle pose) 
 
 auto passable(const Space& space) {
   const FreeSpace free = space.view().space;
-  std::vector<std::uint8_t> cells;
-  cells.reserve(free.map().size());
-  for (const Cell cell : every_cell(free)) cells.push_back(free.passable(cell) ? 1 : 0);
+  auto cells = unlocked([&] {
+    std::vector<std::uint8_t> found;
+    found.reserve(free.map().size());
+    for (const Cell cell : every_cell(free)) found.push_back(free.passable(cell) ? 1 : 0);
+    return found;
+  });
   return owned_array<std::uint8_t, 2>(std::move(cells), shape_of(free));
 }
 
 auto clearance(const Space& space) {
   const FreeSpace free = space.view().space;
-  std::vector<double> metres;
-  metres.reserve(free.map().size());
-  for (const Cell cell : every_cell(free)) {
-    metres.push_back(free.clearance(cell) * free.map().frame().resolution);
-  }
+  auto metres = unlocked([&] {
+    std::vector<double> found;
+    found.reserve(free.map().size());
+    for (const Cell cell : every_cell(free)) {
+      found.push_back(free.clearance(cell) * free.map().frame().resolution);
+    }
+    return found;
+  });
   return owned_array<double, 2>(std::move(metres), shape_of(free));
 }
 
 auto costs(const Space& space) {
   const FreeSpace free = space.view().space;
-  std::vector<double> multipliers;
-  multipliers.reserve(free.map().size());
-  for (const Cell cell : every_cell(free)) multipliers.push_back(free.terrain(cell));
+  auto multipliers = unlocked([&] {
+    std::vector<double> found;
+    found.reserve(free.map().size());
+    for (const Cell cell : every_cell(free)) found.push_back(free.terrain(cell));
+    return found;
+  });
   return owned_array<double, 2>(std::move(multipliers), shape_of(free));
 }
 

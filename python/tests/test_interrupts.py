@@ -9,6 +9,7 @@ import resource
 import signal
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from types import FrameType
 
@@ -67,6 +68,33 @@ def test_a_signal_stops_plan_many() -> None:
     with pytest.raises(Alarm), alarm():
         space.plan_many([START] * 8, [GOAL] * 8, "random_walk", max_steps=STEPS, threads=2)
     check_usable(space)
+
+
+def test_a_signal_stops_explanations() -> None:
+    cells = WALLED.copy()
+    cells[:, 1400] = 1
+    space = wend.Map(cells).free_space(0.4)
+    with pytest.raises(Alarm), alarm():
+        space.explain(START, GOAL)
+    with pytest.raises(wend.NoPath) as caught:
+        space.plan(START, GOAL)
+    with pytest.raises(Alarm), alarm():
+        _ = caught.value.reason
+    check_usable(space)
+    assert "connected component" in caught.value.reason
+
+
+def test_a_time_limit_is_one_of_the_whole_call() -> None:
+    cells = (np.random.default_rng(1).random((1500, 1500)) < 0.2).astype(np.int8)
+    cells[0] = 0
+    space = wend.Map(cells).free_space()
+    assert space.plan(START, GOAL).cost == 1450
+    for planner in ("alt", "hub_labels", "corner_hierarchy"):
+        begun = time.process_time()
+        with pytest.raises(wend.Error) as caught:
+            space.plan(START, GOAL, planner, time_limit=0.01)
+        assert caught.value.status == "time_limit"
+        assert time.process_time() - begun < 1  # making them takes more
 
 
 def test_a_signal_stops_search() -> None:

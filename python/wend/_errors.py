@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from . import _core
 
 __all__ = ["Error", "InvalidArgument", "Metrics", "NoPath"]
 
@@ -29,9 +32,13 @@ class Error(Exception):
     where: str
 
     def __init__(self, message: str, status: str = "invalid_option", where: str = "") -> None:
-        super().__init__(message)
+        # Exceptions are pickled, and so come out of other processes, by these arguments.
+        super().__init__(message, status, where)
         self.status = status
         self.where = where
+
+    def __str__(self) -> str:
+        return str(self.args[0])
 
 
 class InvalidArgument(Error, ValueError):
@@ -58,14 +65,32 @@ class NoPath(Error):
     """
 
     metrics: Metrics
+    _unread: _core.Reason | None
 
     def __init__(self, message: str, status: str, where: str, metrics: Metrics) -> None:
         super().__init__(message, status, where)
+        self.args = (message, status, where, metrics)
         self.metrics = metrics
+        self._unread = None
+
+    def __str__(self) -> str:
+        if self._unread is not None:
+            self.args = (self._unread.text(), *self.args[1:])
+            self._unread = None
+        return super().__str__()
+
+    def __repr__(self) -> str:
+        str(self)
+        return super().__repr__()
+
+    def __reduce__(self) -> tuple[type[NoPath], tuple[object, ...]]:
+        str(self)
+        return type(self), self.args
 
     @property
     def reason(self) -> str:
-        """Why there is no path, in one or more sentences."""
+        """Why there is no path, in one or more sentences. That of ``plan()`` is found out when it is first read, on the
+        map of that moment, which may take as long as several searches of the whole map; Ctrl-C stops it."""
         return str(self)
 
 
@@ -73,10 +98,17 @@ _INVALID = frozenset({"invalid_option", "invalid_map", "unsupported_map", "unsup
 _NOT_A_SEARCH = _INVALID | {"invalid_file", "index_missing", "index_mismatch"}
 
 
-def make_error(status: str, message: str, where: str, work: tuple[int, int, int] | None) -> Error:
-    """The exception of an error of the C++ side. `work` is set if it is that of a search."""
+def make_error(
+    status: str, message: str, where: str, work: tuple[int, int, int] | None, unread: _core.Reason | None = None
+) -> Error:
+    """The exception of an error of the C++ side. `work` is set if it is that of a search, `unread` if its reason is found
+    out when it is read."""
     if work is not None and status not in _NOT_A_SEARCH:
-        return NoPath(message, status, where, Metrics(*work))
+        no_path = NoPath(message, status, where, Metrics(*work))
+        no_path._unread = unread
+        return no_path
+    if unread is not None:
+        message = unread.text()
     if status in _INVALID or status.endswith("_outside"):
         return InvalidArgument(message, status, where)
     return Error(message, status, where)

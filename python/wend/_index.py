@@ -49,7 +49,7 @@ class Index:
     @classmethod
     @named_types
     def open(cls, file: str | os.PathLike[str]) -> Index:
-        """Opens an index file; it is mapped, and read where it is used.
+        """Reads an index file into memory; who writes to the file later does not harm its users.
 
         :raises wend.Error: ``invalid_file``, or ``index_mismatch`` for a file that is not an index.
         """

@@ -25,10 +25,13 @@ class PlannerFault(AssertionError):
     goal_pose: Cell
 
     def __init__(self, message: str, world: World, robot_pose: Cell, goal_pose: Cell) -> None:
-        super().__init__(message)
+        super().__init__(message, world, robot_pose, goal_pose)
         self.world = world
         self.robot_pose = robot_pose
         self.goal_pose = goal_pose
+
+    def __str__(self) -> str:
+        return str(self.args[0])
 
 
 class _Case(NamedTuple):

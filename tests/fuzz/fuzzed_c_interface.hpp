@@ -173,11 +173,12 @@ struct FuzzedSolutions {
   double cost = std::numeric_limits<double>::infinity();  // of the last one
 };
 
-inline void take_solution(const wend_plan* plan, void* context) {
+inline int32_t take_solution(const wend_plan* plan, void* context) {
   FuzzedSolutions& solutions = *static_cast<FuzzedSolutions*>(context);
   if (solutions.wrong.empty()) solutions.wrong = check_plan(plan);
   if (wend_plan_cost(plan) > solutions.cost) solutions.wrong = "a dearer path after a cheaper one";
   solutions.cost = wend_plan_cost(plan);
+  return 0;
 }
 
 inline std::string check_answers(wend_session* session, wend_request request) {

@@ -33,17 +33,18 @@ FreeSpace with_unknown_free(const FreeSpace& space) {
 /// How wide a robot gets from start to goal under each change but that of its size.
 class Widths {
  public:
-  Widths(const FreeSpace& space, Cell start, Cell goal, GridMoves moves)
+  Widths(const FreeSpace& space, Cell start, Cell goal, GridMoves moves, DeadlineCheck check)
       : space_(space),
         with_unknown_free_(with_unknown_free(space)),
         start_(start),
         goal_(goal),
-        moves_(moves) {
+        moves_(moves),
+        check_(check) {
     for (const bool unknown_free : {false, true}) {
       for (const bool squeeze : {false, true}) {
         const Changes changes{unknown_free, squeeze};
         width(changes) =
-            squared_half_cell_width(space_with(changes), start, goal, moves_with(changes));
+            squared_half_cell_width(space_with(changes), start, goal, moves_with(changes), check_);
       }
     }
   }
@@ -56,7 +57,7 @@ class Widths {
   }
 
   std::optional<WidestPath> path(const Changes& changes) const {
-    return widest_path(space_with(changes), start_, goal_, moves_with(changes));
+    return widest_path(space_with(changes), start_, goal_, moves_with(changes), check_);
   }
 
  private:
@@ -77,6 +78,7 @@ class Widths {
   Cell start_;
   Cell goal_;
   GridMoves moves_;
+  DeadlineCheck check_;
   std::array<std::optional<std::uint32_t>, 4> widths_;
 };
 
@@ -114,8 +116,21 @@ std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves moves) {
 }
 
 NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
-  if (!space.contains(start) || !space.contains(goal)) return {};
-  Widths widths(space, start, goal, moves);
+  return *explain_no_path(space, start, goal, moves, Deadline());
+}
+
+std::optional<NoPath> explain_no_path(const FreeSpace& space, Cell start, Cell goal,
+                                      GridMoves moves, const Deadline& deadline) {
+  // An explanation takes about so long; the distances to obstacles and a free space are made without a look at
+  // the clock.
+  constexpr double kSecondsPerCell = 1e-6;
+  if (deadline.seconds_left() < kSecondsPerCell * static_cast<double>(space.map().size())) {
+    return std::nullopt;
+  }
+  if (!space.contains(start) || !space.contains(goal)) return NoPath{};
+  DeadlineCheck check(&deadline);
+  Widths widths(space, start, goal, moves, check);
+  if (check.now()) return std::nullopt;
   NoPath why{.start_component = component_size(space, start, moves),
              .goal_component = component_size(space, goal, moves),
              .widest = widths.path({}),
@@ -127,6 +142,7 @@ NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves 
     if (auto widest = widths.path(changes)) {
       why.ways.push_back({changes, *std::move(widest)});
     }
+    if (check.now()) return std::nullopt;
   }
   return why;
 }

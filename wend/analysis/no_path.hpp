@@ -78,4 +78,8 @@ WEND_API std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves
 WEND_API NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal,
                                 GridMoves moves = {});
 
+/// The same before a deadline; else nothing. It does not begin if the time left is too short for the map.
+WEND_API std::optional<NoPath> explain_no_path(const FreeSpace& space, Cell start, Cell goal,
+                                               GridMoves moves, const Deadline& deadline);
+
 }  // namespace wend

@@ -38,9 +38,10 @@ struct Reached {
 /// Prim's algorithm from the start, until it reaches the goal.
 class WidestSearch {
  public:
-  WidestSearch(const FreeSpace& space, Cell goal, Adjacency adjacency)
+  WidestSearch(const FreeSpace& space, Cell goal, Adjacency adjacency, DeadlineCheck check)
       : space_(space),
         goal_(goal),
+        check_(check),
         stride_(adjacency == Adjacency::edges ? 2 : 1),  // even directions are straight
         widths_(space.width(), space.height(), kNotReached) {}
 
@@ -49,7 +50,7 @@ class WidestSearch {
     if (clearance[start] == 0 || clearance[goal_] == 0) return std::nullopt;
     // No path is wider than this. Capped by it, all that is wide enough is equally wide.
     reach(start, std::min(clearance[start], clearance[goal_]));
-    while (!frontier_.empty()) {
+    while (!frontier_.empty() && !check_()) {
       const Reached next = min_heap::pop(frontier_);
       if (next.cell == goal_) return next.width;
       if (widths_[next.cell] == next.width) expand(next);
@@ -75,6 +76,7 @@ class WidestSearch {
 
   const FreeSpace& space_;
   Cell goal_;
+  DeadlineCheck check_;
   int stride_;
   Grid<std::int64_t> widths_;
   std::vector<Reached> frontier_;
@@ -95,12 +97,15 @@ GridMap with_narrow_cells_dear(const FreeSpace& space, std::uint32_t width) {
   return *make_grid_map(states, {}, std::move(terrain));
 }
 
-Path cheapest_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
+Path cheapest_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves,
+                   const Deadline* deadline) {
   const OptionValues options{{"connectivity", std::string(choice_name(moves.connectivity))},
                              {"corner_rule", std::string(choice_name(moves.corner_rule))}};
   const auto planner = make_planner("astar", space, options);
   if (!planner) return {};
-  auto plan = (*planner)->plan(Query::between(start, goal));
+  Query query = Query::between(start, goal);
+  if (deadline != nullptr) query.limits = deadline->left();
+  auto plan = (*planner)->plan(query);
   return plan ? std::move(plan->path) : Path{};
 }
 
@@ -149,22 +154,24 @@ Point narrowest_point(const FreeSpace& space, std::span<const Cell> cells, std::
 }  // namespace
 
 std::optional<std::uint32_t> squared_half_cell_width(const FreeSpace& space, Cell start, Cell goal,
-                                                     GridMoves moves) {
-  if (!space.contains(start) || !space.contains(goal)) return std::nullopt;
-  return WidestSearch(space, goal, moves.adjacency()).run(start);
+                                                     GridMoves moves, DeadlineCheck check) {
+  if (!space.contains(start) || !space.contains(goal) || check.now()) return std::nullopt;
+  return WidestSearch(space, goal, moves.adjacency(), check).run(start);
 }
 
 std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell goal,
-                                      GridMoves moves) {
-  const auto width = squared_half_cell_width(space, start, goal, moves);
-  if (!width) return std::nullopt;
+                                      GridMoves moves, DeadlineCheck check) {
+  const auto width = squared_half_cell_width(space, start, goal, moves, check);
+  if (!width || check.now()) return std::nullopt;
   // Where there is no obstacle, the farthest that a FreeSpace looks.
   const double cells = std::sqrt(static_cast<double>(*width)) / 2;
   const FreeSpace widest =
       *make_free_space(with_narrow_cells_dear(space, *width), {.footprint = Footprint::disc(cells),
                                                                .unknown = space.options().unknown,
                                                                .outside = space.outside()});
-  Path path = cheapest_path(widest, start, goal, moves);
+  if (check.now()) return std::nullopt;
+  Path path = cheapest_path(widest, start, goal, moves, check.deadline());
+  if (check.now()) return std::nullopt;
   const Point narrowest = narrowest_point(widest, path.cells(), *width, moves.adjacency());
   return WidestPath{distance_in_cells(*width), narrowest, std::move(path)};
 }

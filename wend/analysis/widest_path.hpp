@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
@@ -36,14 +37,17 @@ struct WidestPath {
 };
 
 /// For the obstacles of a FreeSpace and robots of any size: ignores its radius and clearance cost.
-/// Nothing if not even a point fits, or if a cell is not on the map. O(cells log cells).
+/// Nothing if not even a point fits, if a cell is not on the map, or if `check` says that the work must end.
+/// O(cells log cells).
 WEND_API std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell goal,
-                                               GridMoves moves = {});
+                                               GridMoves moves = {},
+                                               DeadlineCheck check = DeadlineCheck());
 
 /// The square of that radius alone, in half-cells and exact, like
 /// FreeSpace::squared_half_cell_clearance(). Connectivity and the corner rule `one` make no
 /// difference: two straight steps replace a diagonal step with a passable cell beside it.
-WEND_API std::optional<std::uint32_t> squared_half_cell_width(const FreeSpace& space, Cell start,
-                                                              Cell goal, GridMoves moves = {});
+WEND_API std::optional<std::uint32_t> squared_half_cell_width(
+    const FreeSpace& space, Cell start, Cell goal, GridMoves moves = {},
+    DeadlineCheck check = DeadlineCheck());
 
 }  // namespace wend

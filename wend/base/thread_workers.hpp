@@ -12,10 +12,11 @@ class WEND_API ThreadWorkers final : public Workers {
   /// 0: as many threads as the machine runs at once.
   explicit ThreadWorkers(unsigned count = 0);
 
-  /// The number of threads, at least 1.
+  /// The number of threads, at least 1. run() works with fewer if the system has no more.
   unsigned count() const override { return count_; }
 
-  /// `action` must not throw. One worker runs on the calling thread.
+  /// One worker runs on the calling thread. If `action` throws, no further task begins, and run() throws
+  /// the first exception when all workers have ended.
   void run(std::size_t tasks, const Action& action) override;
 
  private:

@@ -109,7 +109,8 @@ TEST(CMap, RefusesOptionsThatAreOutOfRange) {
     const auto from = with([&](auto& options) { options.occupied_from = least; });
     EXPECT_EQ(from.status, WEND_INVALID_ARGUMENT);
   }
-  for (const double resolution : {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity()}) {
+  for (const double resolution :
+       {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity(), 1e12, 1e307, 1e-300}) {
     const auto size = with([&](auto& options) { options.resolution = resolution; });
     EXPECT_EQ(size.status, WEND_INVALID_MAP);
   }

@@ -2,6 +2,7 @@
 
 // What the opaque types of wend.h are.
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -22,6 +23,10 @@ struct wend_map {
 
 struct wend_robot {
   wend::Robot robot;
+};
+
+struct wend_cancel {
+  std::atomic<bool> flag = false;
 };
 
 struct wend_session {

@@ -1,5 +1,6 @@
 // Sessions of the C interface: where the robot fits, plans and fields.
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -79,7 +80,8 @@ constexpr wend_request kRequestDefaults{sizeof(wend_request),
                                         0,
                                         0,
                                         0,
-                                        std::numeric_limits<double>::quiet_NaN()};
+                                        std::numeric_limits<double>::quiet_NaN(),
+                                        nullptr};
 
 MapPose map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading}; }
 
@@ -155,6 +157,7 @@ RequestResult goal_request_of(const wend_request* given) {
   PlanRequest asked{{}, *std::move(goals), *std::move(planner)};
   asked.limits.expansions = request->expansions;
   asked.limits.seconds = request->seconds;
+  if (request->cancel != nullptr) asked.limits.cancel = &request->cancel->flag;
   return asked;
 }
 
@@ -194,6 +197,22 @@ RequestResult plan_request_of(const wend_request* given, double resolution) {
 using PlanOnView = Expected<PlanAnswer, RequestFailure> (Session::*)(const Session::View&,
                                                                      const PlanRequest&);
 
+/// Tells the caller each path. `enough` is set, and ends the search, when the caller says so.
+void tell_solutions(const wend_request& request, const FreeSpace& space, std::atomic<bool>& enough,
+                    PlanRequest& asked) {
+  asked.on_solution = [&](const Plan& plan) {
+    const wend_plan told(PlanAnswer{.space = space, .plan = plan});
+    if (request.on_solution(&told, request.context) != 0) enough = true;
+  };
+  if (const std::atomic<bool>* cancel = asked.limits.cancel) {
+    asked.limits.clock = [cancel, &enough] {
+      if (*cancel) enough = true;
+      return steady_seconds();
+    };
+  }
+  asked.limits.cancel = &enough;
+}
+
 Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
                                                         const wend_request* request,
                                                         PlanOnView plan_on) {
@@ -201,12 +220,8 @@ Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
   if (!view) return failed(view.error());
   auto asked = plan_request_of(request, view->space.map().frame().resolution);
   if (!asked) return Unexpected<Failure>(asked.error());
-  if (request->on_solution != nullptr) {
-    asked->on_solution = [&space = view->space, request](const Plan& plan) {
-      const wend_plan told(PlanAnswer{.space = space, .plan = plan});
-      request->on_solution(&told, request->context);
-    };
-  }
+  std::atomic<bool> enough = false;
+  if (request->on_solution != nullptr) tell_solutions(*request, view->space, enough, *asked);
   const auto answer = (handle.session.*plan_on)(*view, *asked);
   if (!answer) return failed(static_cast<const PlanFailure&>(answer.error()));
   if (answer->fault) return failed(*answer->fault);
@@ -331,6 +346,19 @@ wend_status wend_session_nearest(wend_session* session, const wend_pose* pose, w
 }
 
 void wend_session_free(wend_session* session) { delete session; }
+
+wend_status wend_cancel_create(wend_cancel** cancel, wend_error* error) {
+  return made("cancel", cancel, error,
+              []() -> wend::Expected<std::unique_ptr<wend_cancel>, Failure> {
+                return std::make_unique<wend_cancel>();
+              });
+}
+
+void wend_cancel_set(wend_cancel* cancel, int32_t set) {
+  if (cancel != nullptr) cancel->flag = set != 0;
+}
+
+void wend_cancel_free(wend_cancel* cancel) { delete cancel; }
 
 wend_status wend_request_init(wend_request* request, size_t struct_size) {
   return init(request, struct_size, kRequestDefaults);

@@ -197,6 +197,7 @@ TEST(CSession, TellsThePathsOfAnAnytimePlanner) {
     paths.costs.push_back(wend_plan_cost(plan));
     paths.bounds.push_back(wend_plan_bound(plan));
     paths.poses = wend_plan_pose_count(plan);
+    return int32_t{0};
   };
   for (const char* const planner : {"ara_star:initial_weight=5", "lattice:initial_weight=5"}) {
     SCOPED_TRACE(planner);
@@ -424,6 +425,59 @@ TEST(CSession, RefusesOtherPolicies) {
   options = session_options();
   options.struct_size = 0;
   EXPECT_EQ(refused(options).status, WEND_INVALID_ARGUMENT);
+}
+
+TEST(CSession, EndsTheSearchWithThePathThatTheCallerTakes) {
+  const auto session = c_session(open_c_map(20, 20).get());
+  const wend_pose goal{18.5, 7.5, kAnyHeading};
+  wend_request request = request_to(goal);
+  request.planner = "lattice:initial_weight=5";
+  std::vector<double> told;
+  request.context = &told;
+  request.on_solution = [](const wend_plan* plan, void* context) {
+    static_cast<std::vector<double>*>(context)->push_back(wend_plan_cost(plan));
+    return int32_t{1};
+  };
+  request.spacing = 0.1;  // done although the search was ended
+  const auto plan = made_object<wend_plan>([&](wend_plan** out, wend_error* error) {
+    return wend_session_plan(session.get(), &request, out, error);
+  });
+  EXPECT_EQ(told, std::vector<double>{wend_plan_cost(plan.get())});
+  EXPECT_GT(wend_plan_bound(plan.get()), 1);
+  EXPECT_GT(wend_plan_pose_count(plan.get()), 100U);
+}
+
+TEST(CSession, EndsCallsWhoseFlagIsSet) {
+  const auto session = c_session(open_c_map(20, 20).get());
+  const wend_pose goal{18.5, 7.5, kAnyHeading};
+  wend_cancel* cancel = nullptr;
+  ASSERT_EQ(wend_cancel_create(&cancel, nullptr), WEND_OK);
+  wend_request request = request_to(goal);
+  request.cancel = cancel;
+  const auto status = [&](const char* planner) {
+    wend_plan* plan = nullptr;
+    wend_error error;
+    request.planner = planner;
+    const wend_status ended = wend_session_plan(session.get(), &request, &plan, &error);
+    EXPECT_TRUE(ended == WEND_OK || error.message[0] != '\0');
+    wend_plan_free(plan);
+    return ended;
+  };
+  for (const int with_solutions : {0, 1}) {
+    if (with_solutions != 0) {
+      request.on_solution = [](const wend_plan* /*plan*/, void* /*context*/) { return int32_t{0}; };
+    }
+    for (const char* const planner : {"astar", "ara_star", "alt:landmarks=3", "hub_labels", "jps",
+                                      "any_angle", "euclidean_labels", "lattice"}) {
+      SCOPED_TRACE(planner);
+      wend_cancel_set(cancel, 1);
+      EXPECT_EQ(status(planner), WEND_CANCELLED);
+      wend_cancel_set(cancel, 0);
+      EXPECT_EQ(status(planner), WEND_OK);
+    }
+  }
+  wend_cancel_set(nullptr, 1);
+  wend_cancel_free(cancel);
 }
 
 }  // namespace

@@ -1,13 +1,14 @@
 #pragma once
 
-// IndexBuilding: the workers, progress callback and cancel flag of an index build.
+// IndexBuilding: the workers, progress callback, cancel flag and deadline of an index build.
 //
-// Parts of an index whose constructor takes an IndexBuilding look at the cancel flag while they are made. If it is set,
-// they end early and are incomplete: their caller asks cancelled() afterwards and discards them.
+// Parts of an index whose constructor takes an IndexBuilding look at the cancel flag and the deadline while they are made.
+// Once one says so, they end early and are incomplete: their caller asks cancelled() afterwards and discards them.
 
 #include <atomic>
 #include <functional>
 
+#include "wend/base/deadline.hpp"
 #include "wend/base/workers.hpp"
 
 namespace wend {
@@ -18,8 +19,13 @@ struct IndexBuilding {
   std::function<void(double share)> progress = {};
   const std::atomic<bool>* cancel = nullptr;  // set from another thread to stop
 
-  /// Is the cancel flag set?
-  bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+  /// Not owned; null: none. With more than one worker, its clock is read by all of them.
+  const Deadline* deadline = nullptr;
+  /// Is the cancel flag set, or has the deadline passed?
+  bool cancelled() const {
+    return (cancel != nullptr && cancel->load(std::memory_order_relaxed)) ||
+           (deadline != nullptr && deadline->passed());
+  }
   /// Calls `progress`, if it is set.
   void tell(double share) const {
     if (progress) progress(share);

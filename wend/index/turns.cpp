@@ -58,11 +58,14 @@ std::array<BitLines, 4> beginnings_of_legs(const Corners& corners) {
 
 }  // namespace
 
-ArrivalBoards::ArrivalBoards(const Corners& corners, const JumpBoards& boards)
+ArrivalBoards::ArrivalBoards(const Corners& corners, const JumpBoards& boards,
+                             const IndexBuilding& building)
     : height_(boards.height()) {
+  if (building.cancelled()) return;
   const auto beginnings = beginnings_of_legs(corners);
   std::array<BitLines, 4> met;
   for (const Direction diagonal : kDiagonalDirections) {
+    if (building.cancelled()) return;
     const std::size_t i = quarter(diagonal);
     DiagonalRows made = diagonal_rows(boards.rows(), beginnings[i], step({}, diagonal));
     stops_[static_cast<std::size_t>(diagonal)] = made.stops.diagonals(diagonals_along(diagonal));
@@ -70,6 +73,7 @@ ArrivalBoards::ArrivalBoards(const Corners& corners, const JumpBoards& boards)
   }
   const BitLines corner_rows(corners.bits());
   for (const Direction straight : kStraightDirections) {
+    if (building.cancelled()) return;
     const auto [one, other] = beside(straight);
     const BitLines of_interest = mapped(corner_rows, [&](int line, std::size_t i) {
       return corner_rows.words(line)[i] | met[quarter(one)].words(line)[i] |
@@ -82,8 +86,11 @@ ArrivalBoards::ArrivalBoards(const Corners& corners, const JumpBoards& boards)
   }
 }
 
-Turns::Turns(const BitGrid& passable)
-    : corners_(passable), boards_(passable), arrivals_(corners_, boards_) {
+Turns::Turns(const BitGrid& passable, const IndexBuilding& building)
+    : corners_(passable),
+      boards_(building.cancelled() ? BitGrid(1, 1) : passable),
+      arrivals_(corners_, boards_, building) {
+  if (building.cancelled()) return;
   first_.reserve(corners_.size());
   for (std::uint32_t corner = 0; corner < corners_.size(); ++corner) {
     const Cell cell = corners_.cell(corner);

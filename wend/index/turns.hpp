@@ -20,6 +20,7 @@
 #include "wend/geometry/direction.hpp"
 #include "wend/index/corner_cost.hpp"
 #include "wend/index/corners.hpp"
+#include "wend/index/index_building.hpp"
 #include "wend/jump/bit_lines.hpp"
 #include "wend/jump/jump_boards.hpp"
 
@@ -27,7 +28,7 @@ namespace wend {
 
 class ArrivalBoards {
  public:
-  ArrivalBoards(const Corners& corners, const JumpBoards& boards);
+  ArrivalBoards(const Corners& corners, const JumpBoards& boards, const IndexBuilding& building);
 
   /// The number of steps back from a cell, against a direction of travel. Straight: to the next cell
   /// that matters. Diagonal: to a beginning of legs or to the last cell; the first step back must be
@@ -74,7 +75,7 @@ struct TurnChoice {
 class Turns {
  public:
   /// O(cells).
-  explicit Turns(const BitGrid& passable);
+  explicit Turns(const BitGrid& passable, const IndexBuilding& building = {});
 
   const BitGrid& passable() const { return corners_.passable(); }
   std::uint32_t size() const { return static_cast<std::uint32_t>(cells_.size()); }

@@ -2,13 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <new>
+#include <span>
 #include <system_error>
 
 namespace wend {
@@ -78,6 +78,18 @@ bool write_unnamed(const fs::path& file, std::string_view bytes, std::string& wr
   const std::string unnamed = fmt::format("/proc/self/fd/{}", open_file.number());
   return !wrong.empty() ||
          ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, file.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// Fills the room from a file and returns an error, empty on success.
+std::string read_bytes(int descriptor, std::span<std::byte> room) {
+  while (!room.empty()) {
+    const ssize_t got = ::read(descriptor, room.data(), room.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return "cannot be read: " + message_of(errno);
+    if (got == 0) return "became shorter while it was read";
+    room = room.subspan(static_cast<std::size_t>(got));
+  }
+  return {};
 }
 
 /// The file itself, at the end of symbolic links.
@@ -206,11 +218,15 @@ Expected<IndexBytes, Error> open_index(const fs::path& file) {
   if (!S_ISREG(status.st_mode)) return failure_of(file, "not a regular file");
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size == 0) return failure_of(file, "the file is empty; expected an index");
-  void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, index.number(), 0);
-  if (address == MAP_FAILED) return failure_of(file, message_of(errno));
-  std::shared_ptr<const void> mapping(
-      address, [size](const void* begin) { ::munmap(const_cast<void*>(begin), size); });
-  return IndexBytes(std::move(mapping), {static_cast<const std::byte*>(address), size});
+  try {
+    std::string wrong;
+    IndexBytes bytes = IndexBytes::written(
+        size, [&](std::span<std::byte> room) { wrong = read_bytes(index.number(), room); });
+    if (!wrong.empty()) return failure_of(file, wrong);
+    return bytes;
+  } catch (const std::bad_alloc&) {
+    return failure_of(file, fmt::format("not enough memory for an index of {} bytes", size));
+  }
 }
 
 }  // namespace wend

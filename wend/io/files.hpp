@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading and writing whole files, standard input and pipes; mapping the files of indexes.
+// Reading and writing whole files, standard input and pipes; opening indexes.
 //
 // Loaders that take a file name read only regular files. They reject a folder, a pipe or a device such
 // as /dev/zero before it is opened, so that no loader waits or reads for ever. Streams, which can be read
@@ -81,9 +81,9 @@ WEND_API Expected<void, Error> write_file(const std::filesystem::path& file,
 WEND_API Expected<void, Error> write_index(const std::filesystem::path& file,
                                            const IndexBytes& index);
 
-/// Maps an index into memory: parts that a query does not touch are not read, and programs share the
-/// memory. The reader of the bytes checks whether they are an index, and of what. The file must not be
-/// modified while it is open; it may be replaced by a new file with its name.
+/// Reads an index into memory, so that nobody who writes to the file later harms its users. The reader of the
+/// bytes checks whether they are an index, and of what: one that was written to while it was read has a wrong
+/// checksum. Also fails if there is not enough memory. O(bytes).
 WEND_API Expected<IndexBytes, Error> open_index(const std::filesystem::path& file);
 
 }  // namespace wend

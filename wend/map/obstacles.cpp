@@ -83,7 +83,8 @@ Expected<std::vector<CellBox>, Error> Obstacles::edit(const MapEdit& edit) {
     data.clearance.reset();
     data.words_read.store(0, std::memory_order_relaxed);
   }
-  return edits_terrain(edit) ? boxes : boxes_around(std::move(changed));
+  if (edits_terrain(edit)) return boxes;
+  return boxes_around(std::move(changed));
 }
 
 const Grid<std::uint32_t>& Obstacles::squared_half_cell_clearance() const {

@@ -26,14 +26,21 @@ Expected<Path, Error> simplified_by(const Simplification& simplify, const Path& 
 }
 
 SmoothingResult smoothed_by(const SmootherChoice& choice, const Path& path, const FreeSpace& space,
-                            Adjacency adjacency) {
+                            Adjacency adjacency, const Deadline& deadline) {
   OptionValues options = choice.options;
   if (!path.driven() && adjacency == Adjacency::edges_and_corners) {
     options.insert(options.begin(), {"squeeze", "true"});
   }
   const auto smoother = make_smoother(choice.name, options);
   if (!smoother) return Unexpected<Error>(smoother.error());
-  return (*smoother)(path, space);
+  if (!deadline.bounded()) return (*smoother)(path, space);
+  return (*smoother)(path, space, [&deadline] { return deadline.passed(); });
+}
+
+/// Why the next stage must not begin.
+std::optional<Error> stopped_before(const char* stage, const Deadline& deadline) {
+  if (!deadline.passed()) return std::nullopt;
+  return Error{deadline.status(), deadline.text() + ", before the path was " + stage};
 }
 
 /// Points that may not move at all still need a distance: 0 means any.
@@ -44,6 +51,26 @@ void bind(SmootherChoice& choice, double most_distance) {
                               format_number(std::clamp(most_distance, kLeast, kMost)));
 }
 
+/// Smooths points of even distances: what smoothing does to a path depends on how far apart they are, not on how it was
+/// given.
+Expected<SmoothingResult, Error> smoothed_evenly(SmootherChoice choice, const Path& path,
+                                                 const FreeSpace& space, Adjacency adjacency,
+                                                 std::optional<double> max_distance,
+                                                 const Deadline& deadline) {
+  Path even = path;
+  double cut = 0;
+  if (!path.driven() && !path.of_steps()) {
+    auto resampling = resampled(path, 1, space, adjacency);
+    if (!resampling) return Unexpected<Error>(std::move(resampling).error());
+    even = *std::move(resampling);
+    cut = largest_distance(path, even);
+  }
+  if (max_distance) bind(choice, *max_distance - cut);
+  auto smoothed = smoothed_by(choice, even, space, adjacency, deadline);
+  if (smoothed) smoothed->distance = largest_distance(path, smoothed->path);
+  return smoothed;
+}
+
 }  // namespace
 
 SmootherChoice smoother_for(const Path& path, const SmootherChoice& choice) {
@@ -52,7 +79,7 @@ SmootherChoice smoother_for(const Path& path, const SmootherChoice& choice) {
 }
 
 Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
-                                 const Refinement& refinement) {
+                                 const Refinement& refinement, const Deadline& deadline) {
   const Adjacency adjacency = refinement.adjacency;
   if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
   if (refinement.max_distance) {
@@ -62,25 +89,17 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
   }
   Refined refined{path};
   if (refinement.simplify) {
+    if (auto stopped = stopped_before("simplified", deadline)) return Unexpected<Error>(*stopped);
     auto simplified = simplified_by(*refinement.simplify, path, space, adjacency);
     if (!simplified) return Unexpected<Error>(std::move(simplified).error());
     refined.path = *std::move(simplified);
   }
   if (refinement.smoother) {
-    const Path before = refined.path;
-    double cut = 0;
-    // What smoothing does to a path depends on how far apart its points are: not on how it was given.
-    if (!before.driven() && !before.of_steps()) {
-      auto even = resampled(before, 1, space, adjacency);
-      if (!even) return Unexpected<Error>(std::move(even).error());
-      refined.path = *std::move(even);
-      cut = largest_distance(before, refined.path);
-    }
+    if (auto stopped = stopped_before("smoothed", deadline)) return Unexpected<Error>(*stopped);
     SmootherChoice choice = smoother_for(path, *refinement.smoother);
-    if (refinement.max_distance) bind(choice, *refinement.max_distance - cut);
-    auto smoothed = smoothed_by(choice, refined.path, space, adjacency);
+    auto smoothed =
+        smoothed_evenly(choice, refined.path, space, adjacency, refinement.max_distance, deadline);
     if (!smoothed) return Unexpected<Error>(std::move(smoothed).error());
-    smoothed->distance = largest_distance(before, smoothed->path);
     refined.path = smoothed->path;
     refined.smoothing = *std::move(smoothed);
   }

@@ -25,7 +25,8 @@ namespace wend {
 class SearchObserver;
 struct Plan;
 
-/// Receives a path, on the thread that searches. The plan is that of the caller, valid until it returns.
+/// Receives a path, on the thread that searches. The plan is that of the caller, valid until it returns. If a path is
+/// good enough, set the flag Limits::cancel here: this path is then the answer.
 ///
 ///   query.limits.seconds = 0.05;
 ///   query.on_solution = [&](const wend::Plan& plan) { bounds.push_back(plan.bound); };

@@ -13,6 +13,7 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
 #include "wend/planner/capabilities.hpp"
@@ -83,6 +84,9 @@ struct PlannerInfo {
   std::vector<OptionInfo> options = {};               // which `make` takes
   /// Makes the planner, including its preprocessing, on one thread.
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make = {};
+  /// The same before a deadline, else time_limit or cancelled; null if `make` takes no longer than a search.
+  std::function<PlannerResult(const FreeSpace&, const OptionValues&, const Deadline&)> make_within =
+      {};
 
   /// Builds and opens the planner's index; null for planners without an index.
   std::shared_ptr<const IndexSupport> index_support = nullptr;

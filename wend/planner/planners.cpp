@@ -106,6 +106,46 @@ PlannerResult make_planner(std::string_view name, const FreeSpace& space,
   return (*info)->make(space, options);
 }
 
+namespace {
+
+bool is_stopped(Status status) {
+  return status == Status::time_limit || status == Status::cancelled;
+}
+
+/// What make_planner() answers if an index is not finished before the deadline.
+Error not_ready(const PlannerInfo& info, const Deadline& deadline) {
+  return {deadline.status(),
+          deadline.text() + ", before the planner " + info.name +
+              " was ready: it prepares the whole map once; make it without a limit"};
+}
+
+PlannerResult make_before(const PlannerInfo& info, const FreeSpace& space,
+                          const OptionValues& options, const Deadline& deadline) {
+  if (!info.index_support) {
+    if (!info.make_within) return info.make(space, options);
+    auto made = info.make_within(space, options, deadline);
+    if (!made && is_stopped(made.error().status))
+      return Unexpected<Error>(not_ready(info, deadline));
+    return made;
+  }
+  IndexBuilding building;
+  building.deadline = &deadline;
+  auto index = info.index_support->build(space, building);
+  if (index) return info.index_support->make_planner(space, options, *std::move(index));
+  if (is_stopped(index.error().status)) return Unexpected<Error>(not_ready(info, deadline));
+  return Unexpected<Error>(std::move(index.error()));
+}
+
+}  // namespace
+
+PlannerResult make_planner(std::string_view name, const FreeSpace& space,
+                           const OptionValues& options, const Deadline& deadline) {
+  const auto info = planners().named("planner", name);
+  if (!info) return Unexpected<Error>(info.error());
+  if (!deadline.bounded()) return (*info)->make(space, options);
+  return make_before(**info, space, options, deadline);
+}
+
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options, IndexBytes index) {
   const auto info = planners().named("planner", name);

@@ -39,6 +39,11 @@ WEND_API std::vector<std::string> planner_names(std::string_view motion);
 WEND_API PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                                     const OptionValues& options = {});
 
+/// The same before a deadline, with its preprocessing and the building of its index; else time_limit or cancelled. A
+/// planner that was not ready leaves nothing behind.
+WEND_API PlannerResult make_planner(std::string_view name, const FreeSpace& space,
+                                    const OptionValues& options, const Deadline& deadline);
+
 /// The same on an existing index; index_mismatch if the index does not match this planner and map,
 /// invalid_option if the planner does not use an index.
 WEND_API PlannerResult make_planner(std::string_view name, const FreeSpace& space,

@@ -42,7 +42,10 @@ class SearchPlanner : public Planner {
   Status do_plan(const Query& query, Plan& out) final {
     begin_search(query.limits, query.observer);
     SearchOutcome outcome = engine_->run();
-    for (; outcome == SearchOutcome::improved; outcome = engine_->run()) take_solution(out);
+    for (; outcome == SearchOutcome::improved; outcome = engine_->run()) {
+      take_solution(out);
+      if (is_enough(query.limits)) return Status::found;
+    }
     return finish(outcome, out);
   }
 
@@ -56,7 +59,10 @@ class SearchPlanner : public Planner {
   std::optional<Status> do_step(Plan& out) final {
     const SearchOutcome outcome = engine_->step();
     out.metrics = engine_->metrics();
-    if (outcome == SearchOutcome::improved) take_solution(out);
+    if (outcome == SearchOutcome::improved) {
+      take_solution(out);
+      if (is_enough(limits_)) return Status::found;
+    }
     if (outcome == SearchOutcome::running || outcome == SearchOutcome::improved) {
       return std::nullopt;
     }
@@ -73,6 +79,11 @@ class SearchPlanner : public Planner {
   void take_solution(Plan& out) {
     write(out);
     tell_solution(out);
+  }
+
+  /// Was the search cancelled by who received the last path?
+  static bool is_enough(const Limits& limits) {
+    return limits.cancel != nullptr && limits.cancel->load(std::memory_order_relaxed);
   }
 
   Status finish(SearchOutcome outcome, Plan& out) {

@@ -111,7 +111,7 @@ std::string Explainer::explain(const Planner& planner, const Query& query, const
 
 /// How a robot that does not fit at the start can leave it, or why it cannot.
 std::string Explainer::ways_out(const Planner& planner, const Query& query) const {
-  if (hints_.escape.empty()) return {};
+  if (hints_.escape.empty() || deadline_.passed()) return {};
   const Frame& frame = units_.frame();
   const double allowed = leeway_ ? leeway_->escape_in_cells(frame) : 0;
   constexpr double kFarCells = 40;  // a way out that is longer is none
@@ -132,7 +132,7 @@ std::string Explainer::ways_out(const Planner& planner, const Query& query) cons
 /// nearest free cell says it.
 std::string Explainer::nearest_beyond_limit(const Planner& planner, const Query& query,
                                             Status status) const {
-  if (!leeway_ || !leeway_->nearest) return {};
+  if (!leeway_ || !leeway_->nearest || deadline_.passed()) return {};
   const auto beyond = [&](const std::string& what, Point place, double away) {
     if (away <= most_moved() + kTypedRounding) return std::string();
     return ". The nearest " + what + " is " + units_.text(place) + ", " + units_.length(away) +
@@ -308,10 +308,12 @@ std::string Explainer::move(Place& place, Cell cell, std::string_view prepositio
 }
 
 std::string Explainer::unreachable(const Place& start, const Place& goal) const {
-  const NoPath why = explain_no_path(space_, start.cell, goal.cell, moves_);
-  std::string text = "there is no path from start " + start.text + " to goal " + goal.text +
-                     ": the start's connected component has " + units_.area(why.start_component) +
-                     ", the goal's has " + units_.area(why.goal_component) + ". ";
+  const auto known = explain_no_path(space_, start.cell, goal.cell, moves_, deadline_);
+  std::string text = "there is no path from start " + start.text + " to goal " + goal.text;
+  if (!known) return text + "; the limit on time left none to find out why";
+  const NoPath& why = *known;
+  text += ": the start's connected component has " + units_.area(why.start_component) +
+          ", the goal's has " + units_.area(why.goal_component) + ". ";
   if (why.ways.empty()) return text + "Obstacles separate the two, even for a robot with radius 0";
   std::vector<std::string> changes;
   changes.reserve(why.ways.size());

@@ -14,6 +14,7 @@
 #include "wend/analysis/no_drive.hpp"
 #include "wend/analysis/no_path.hpp"
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/base/status.hpp"
 #include "wend/planner/planner.hpp"
@@ -56,6 +57,9 @@ class WEND_API Explainer {
 
   /// What the queries may do where the robot cannot be. Until then: nothing, but ends are moved however far.
   void allow(const Leeway& leeway) { leeway_ = leeway; }
+
+  /// When explanations must end: what takes longer is left out, and the sentence says so. Until then: never.
+  void stop_at(Deadline deadline) { deadline_ = std::move(deadline); }
 
   /// Why a query ended with this status, in one or more sentences. O(cells log cells) if start and goal
   /// are not connected, else O(cells until the nearest free one).
@@ -123,6 +127,7 @@ class WEND_API Explainer {
   GridMoves moves_;
   Hints hints_;
   std::optional<Leeway> leeway_ = {};
+  Deadline deadline_ = {};
 };
 
 /// Did a search end at a limit, or because it was cancelled?

@@ -33,11 +33,12 @@ Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
   return Trajectory::along(*rounded, space.map().frame(), limits);
 }
 
-void finish_path(PlanAnswer& answer, const PlanRequest& request, const Path& lead) {
+void finish_path(PlanAnswer& answer, const PlanRequest& request, const Path& lead,
+                 const Deadline& deadline) {
   Refinement refinement = request.refinement;
   refinement.adjacency = answer.moves.value_or(GridMoves{}).adjacency();
   if (refinement.simplify || refinement.smoother || refinement.spacing) {
-    auto refined = wend::refined(answer.plan.path, answer.space, refinement);
+    auto refined = wend::refined(answer.plan.path, answer.space, refinement, deadline);
     if (refined) {
       answer.refined = *std::move(refined);
     } else {

@@ -36,10 +36,10 @@ struct MapGoal {
 };
 
 struct PlanRequest {
-  MapPose start;                       // grid planners ignore headings
-  std::vector<MapGoal> goals;          // one or more; the cheapest is found
-  PlannerSpec planner{"astar"};        // and its options
-  Limits limits = {};                  // of the search
+  MapPose start;                 // grid planners ignore headings
+  std::vector<MapGoal> goals;    // one or more; the cheapest is found
+  PlannerSpec planner{"astar"};  // and its options
+  Limits limits = {};            // of the search; those on time and the flag are of the whole call
   SearchObserver* observer = nullptr;  // of the search; not owned
   OnSolution on_solution = {};         // as Query::on_solution: paths in grid coordinates
   /// Moves blocked ends, see nearest_ends() and Planner::nearest_free(), and goals that no path reaches.
@@ -109,8 +109,9 @@ struct RequestFailure : PlanFailure {
 WEND_API Query query_of(const PlanRequest& request, const Frame& frame);
 
 /// Refines the path of an answer, as the request says, puts the lead before it, if there is one, and times it. If that
-/// fails, the answer's fault says why. The lead is never refined.
-WEND_API void finish_path(PlanAnswer& answer, const PlanRequest& request, const Path& lead = {});
+/// fails, or there is no time for it before the deadline, the answer's fault says why. The lead is never refined.
+WEND_API void finish_path(PlanAnswer& answer, const PlanRequest& request, const Path& lead = {},
+                          const Deadline& deadline = {});
 
 /// The fastest trajectory along a path with rounded corners, see rounded_corners() and Trajectory::along(). Fails as
 /// they do.

@@ -1,5 +1,6 @@
 #include "wend/session/session.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "wend/base/mutex.hpp"
@@ -41,6 +42,30 @@ std::optional<Error> fault_of(const PlanRequest& request, bool steps) {
   return std::nullopt;
 }
 
+/// The copy constructor of tl::expected is noexcept: it would end the program where there is no memory.
+Expected<Session::View, Error> copy_of(const Expected<Session::View, Error>& view) {
+  if (!view) return Unexpected<Error>(view.error());
+  return Session::View(*view);
+}
+
+/// Runs a query on a planner that is discarded if an exception, as of memory that ends, stops the query.
+template <class Work>
+auto discarding_if_stopped(std::span<WarmPlanner> planners, Work&& work) {
+  struct Watch {
+    std::span<WarmPlanner> watched;
+    bool done = false;
+
+    ~Watch() {
+      if (done) return;
+      for (WarmPlanner& planner : watched) planner.discard();
+    }
+  };
+  Watch watch{planners};
+  auto answer = work();
+  watch.done = true;
+  return answer;
+}
+
 }  // namespace
 
 struct Session::State {
@@ -63,7 +88,12 @@ struct Session::State {
   /// `asked` is the planner that a robot asked for that replans; null: it does not.
   Expected<PlanAnswer, RequestFailure> answer(const View& view, Planner& planner,
                                               const PlannerSpec& spec, const PlanRequest& request,
+                                              const Deadline& deadline,
                                               const PlannerSpec* asked = nullptr);
+  Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request,
+                                            const Deadline& deadline);
+  Expected<PlanAnswer, RequestFailure> replan(const View& view, const PlanRequest& request,
+                                              const Deadline& deadline);
   std::optional<AnsweredPath> take_rest(const Errand& errand, const Planner& planner,
                                         const Query& query, double keep, Status& status,
                                         PlanAnswer& answer) const;
@@ -105,7 +135,8 @@ Expected<Session::View, Error> Session::State::Parts::made() {
 
 std::optional<Expected<Session::View, Error>> Session::State::known_view() const {
   if (!map) return failure(Status::invalid_map, why_no_map);
-  return kept_view;
+  if (!kept_view) return std::nullopt;
+  return copy_of(*kept_view);
 }
 
 Expected<Session::View, Error> Session::State::view() {
@@ -128,7 +159,7 @@ Expected<Session::View, Error> Session::State::view() {
   auto made = parts->made();
   const MutexLock lock(mutex);
   if (version == parts->version) {
-    kept_view = made;
+    kept_view = copy_of(made);
     obstacles = parts->obstacles;
     obstacle_options = parts->robot.obstacles();
   }
@@ -202,22 +233,54 @@ void Session::set_robot(FreeSpaceOptions robot) {
 Expected<Session::View, Error> Session::view() const { return state_->view(); }
 
 Expected<PlanAnswer, RequestFailure> Session::plan(const PlanRequest& request) {
+  const Deadline deadline(request.limits);
   auto seen = view();
   if (!seen) return no_plan(std::move(seen.error()));
-  return plan(*seen, request);
+  return state_->plan(*seen, request, deadline);
 }
 
 Expected<PlanAnswer, RequestFailure> Session::plan(const View& view, const PlanRequest& request) {
+  return state_->plan(view, request, Deadline(request.limits));
+}
+
+Expected<PlanAnswer, RequestFailure> Session::State::plan(const View& view,
+                                                          const PlanRequest& request,
+                                                          const Deadline& deadline) {
   const PlannerSpec spec =
       request.observer == nullptr ? request.planner : without_leaps(request.planner);
-  auto planner = state_->planners.take(view.space, view.version, spec);
+  auto planner = planners.take(view.space, view.version, spec, deadline);
   if (!planner) return no_plan(std::move(planner.error()));
-  return state_->answer(view, **planner, spec, request);
+  return discarding_if_stopped({&*planner, 1},
+                               [&] { return answer(view, **planner, spec, request, deadline); });
+}
+
+/// An index is not built to explain: planners with one move as astar does.
+std::string Session::explain(const View& view, const PlanRequest& request,
+                             const PlanFailure& failure, const Deadline& deadline) {
+  const PlannerInfo* const info = wend::planners().find(request.planner.name);
+  if (info == nullptr || failure.status == Status::index_mismatch) return failure.message;
+  const PlannerSpec spec = info->index_support ? PlannerSpec{"astar"} : request.planner;
+  const Leeway leeway = request.leeway();
+  auto planner = state_->planners.take(view.space, view.version, spec, deadline);
+  if (!planner || request.goals.empty() || fault_of(leeway)) return failure.message;
+  return discarding_if_stopped({&*planner, 1}, [&] {
+    const Units units(view.space.map());
+    Explainer explainer(view.space, units, (*planner)->grid_moves().value_or(GridMoves{}),
+                        state_->options.hints);
+    explainer.allow(leeway);
+    explainer.stop_at(deadline);
+    EasedQuery eased(query_of(request, view.space.map().frame()), **planner, explainer, units,
+                     leeway);
+    eased.ease_goals(failure.status);
+    return explainer.explain(**planner, eased.query(), ends_of(eased.query(), units),
+                             failure.status, failure.metrics);
+  });
 }
 
 Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Planner& planner,
                                                             const PlannerSpec& spec,
                                                             const PlanRequest& request,
+                                                            const Deadline& deadline,
                                                             const PlannerSpec* asked) {
   const Units units(view.space.map());
   const auto moves = planner.grid_moves();
@@ -228,11 +291,13 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
   if (auto fault = fault_of(leeway)) return no_plan(*std::move(fault));
   Explainer explainer(view.space, units, moves.value_or(GridMoves{}), options.hints);
   explainer.allow(leeway);
+  explainer.stop_at(deadline);
   Query query = query_of(request, view.space.map().frame());
   PlanAnswer answer{.space = view.space, .plan = {}, .moves = moves};
   EasedQuery eased(std::move(query), planner, explainer, units, leeway);
   const double begin = now();
   const auto search = [&] {
+    eased.query().limits = deadline.left();
     const Query& eased_query = eased.query();
     return request.from_field ? look_up(view, eased_query, ends_of(eased_query, units).start.cell,
                                         *moves, answer.plan)
@@ -241,6 +306,7 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
   Status status = search();
   if (eased.ease_goals(status)) status = search();
   answer.search_seconds = now() - begin;
+  eased.query().limits = request.limits;  // as messages name them
   Errand errand;
   std::optional<AnsweredPath> rest_of;
   if (asked != nullptr) {
@@ -263,7 +329,9 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
   }
   auto disc = explainer.planned_as_disc(planner);
   if (!disc.empty()) answer.notes.push_back("the robot is " + std::move(disc));
-  finish_path(answer, request, eased.lead());
+  // Who receives paths sets the flag when one is good enough: that one is finished.
+  finish_path(answer, request, eased.lead(),
+              request.on_solution ? deadline.without_cancel() : deadline);
   if (asked != nullptr) remember(std::move(errand), std::move(rest_of), answer);
   return answer;
 }
@@ -320,37 +388,57 @@ Status Session::State::look_up(const View& view, const Query& query, Cell start,
 }
 
 Expected<PlanAnswer, RequestFailure> Session::replan(const PlanRequest& request) {
+  const Deadline deadline(request.limits);
   auto seen = view();
   if (!seen) return no_plan(std::move(seen.error()));
-  return replan(*seen, request);
+  return state_->replan(*seen, request, deadline);
 }
 
 Expected<PlanAnswer, RequestFailure> Session::replan(const View& view, const PlanRequest& request) {
+  return state_->replan(view, request, Deadline(request.limits));
+}
+
+Expected<PlanAnswer, RequestFailure> Session::State::replan(const View& view,
+                                                            const PlanRequest& request,
+                                                            const Deadline& deadline) {
   PlannerSpec spec = resuming(request.planner, view.space);
   if (request.observer != nullptr) spec = without_leaps(std::move(spec));
-  auto planner = state_->planners.take(view.space, view.version, spec);
+  auto planner = planners.take(view.space, view.version, spec, deadline);
   if (!planner) return no_plan(std::move(planner.error()));
-  return state_->answer(view, **planner, spec, request, &request.planner);
+  return discarding_if_stopped({&*planner, 1}, [&] {
+    return answer(view, **planner, spec, request, deadline, &request.planner);
+  });
 }
 
 Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan_all(
     std::span<const PlanRequest> requests, const PlannerSpec& planner, Workers& workers) {
   const auto seen = view();
   if (!seen) return Unexpected<Error>(seen.error());
-  auto planners = state_->planners.take(seen->space, seen->version, planner, workers.count());
+  // The planner is made for all of them: the longest of their limits counts.
+  Deadline preparing;
+  if (!requests.empty()) {
+    const auto longest = std::ranges::max_element(
+        requests, {}, [](const PlanRequest& request) { return request.limits.seconds; });
+    preparing = Deadline(longest->limits);
+  }
+  auto planners =
+      state_->planners.take(seen->space, seen->version, planner, workers.count(), preparing);
   if (!planners) return Unexpected<Error>(std::move(planners.error()));
   using Answer = Expected<PlanAnswer, RequestFailure>;
   std::vector<Answer> answers(requests.size(), no_plan(Error{Status::cancelled, "not planned"}));
-  workers.run(requests.size(), [&](std::size_t i, unsigned worker) {
-    answers[i] = state_->answer(*seen, *(*planners)[worker], planner, requests[i]);
+  return discarding_if_stopped(*planners, [&] {
+    workers.run(requests.size(), [&](std::size_t i, unsigned worker) {
+      answers[i] = state_->answer(*seen, *(*planners)[worker], planner, requests[i],
+                                  Deadline(requests[i].limits));
+    });
+    return std::move(answers);
   });
-  return answers;
 }
 
-Expected<WarmPlanner, Error> Session::planner(const PlannerSpec& spec) {
+Expected<WarmPlanner, Error> Session::planner(const PlannerSpec& spec, const Deadline& deadline) {
   const auto seen = view();
   if (!seen) return Unexpected<Error>(seen.error());
-  return state_->planners.take(seen->space, seen->version, spec);
+  return state_->planners.take(seen->space, seen->version, spec, deadline);
 }
 
 Expected<std::vector<WarmPlanner>, Error> Session::planners(const PlannerSpec& spec,

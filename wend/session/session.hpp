@@ -87,10 +87,16 @@ class WEND_API Session {
   Expected<View, Error> view() const;
 
   /// Plans. The message of a failure says where and why, and what would help; its status is that of the
-  /// view, of making the planner, or of the query.
+  /// view, of making the planner, or of the query. The limit on time and the cancel flag of the request are of the
+  /// whole call: they also end the making of a planner, an explanation, and the refinement of the path.
   Expected<PlanAnswer, RequestFailure> plan(const PlanRequest& request);
   /// The same on a view of this session.
   Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
+
+  /// Why plan() or replan() failed on a view, at length: the message that it would have had with
+  /// PlanRequest::explain, as far as it is known before the deadline. O(cells log cells).
+  std::string explain(const View& view, const PlanRequest& request, const PlanFailure& failure,
+                      const Deadline& deadline = {});
 
   /// Plans like plan(), for a robot that drives while its map changes. What is left of the path that the last call
   /// answered, from the robot's place on, is answered again unless another path is cheaper by more than the share
@@ -119,7 +125,7 @@ class WEND_API Session {
 
   /// A planner for queries in grid coordinates, for what plan() does not do: stepping, open lists. Fails as
   /// make_planner() does.
-  Expected<WarmPlanner, Error> planner(const PlannerSpec& spec);
+  Expected<WarmPlanner, Error> planner(const PlannerSpec& spec, const Deadline& deadline = {});
 
   /// One for each thread. They share what they prepare.
   Expected<std::vector<WarmPlanner>, Error> planners(const PlannerSpec& spec, std::size_t count);

@@ -126,15 +126,16 @@ void WarmPlanner::give_back() {
 WarmPlanners::WarmPlanners(std::size_t most_idle)
     : shelf_(std::make_shared<WarmPlanner::Shelf>(most_idle)) {}
 
-PlannerResult WarmPlanners::make(const FreeSpace& space, const PlannerSpec& spec) const {
+PlannerResult WarmPlanners::make(const FreeSpace& space, const PlannerSpec& spec,
+                                 const Deadline& deadline) const {
   auto index = shelf_->index_of(spec.name);
-  if (!index) return make_planner(spec.name, space, spec.options);
+  if (!index) return make_planner(spec.name, space, spec.options, deadline);
   return make_planner(spec.name, space, spec.options, *std::move(index));
 }
 
 Expected<WarmPlanner, Error> WarmPlanners::take(const FreeSpace& space, std::uint64_t version,
-                                                const PlannerSpec& spec) {
-  auto planners = take(space, version, spec, 1);
+                                                const PlannerSpec& spec, const Deadline& deadline) {
+  auto planners = take(space, version, spec, 1, deadline);
   if (!planners) return Unexpected<Error>(std::move(planners.error()));
   return std::move(planners->front());
 }
@@ -142,14 +143,15 @@ Expected<WarmPlanner, Error> WarmPlanners::take(const FreeSpace& space, std::uin
 Expected<std::vector<WarmPlanner>, Error> WarmPlanners::take(const FreeSpace& space,
                                                              std::uint64_t version,
                                                              const PlannerSpec& spec,
-                                                             std::size_t count) {
+                                                             std::size_t count,
+                                                             const Deadline& deadline) {
   std::vector<WarmPlanner> planners;
   planners.reserve(count);
   const std::string key = key_of(spec);
   while (planners.size() < count) {
     auto planner = shelf_->take(version, key);
     if (planners.empty() && !planner) {
-      auto made = make(space, spec);
+      auto made = make(space, spec, deadline);
       if (!made) return Unexpected<Error>(std::move(made.error()));
       planner = *std::move(made);
     }

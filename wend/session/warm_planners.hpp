@@ -43,6 +43,9 @@ class WEND_API WarmPlanner {
   /// The planner; null in an object that was moved from.
   Planner* operator->() const { return planner_.get(); }
 
+  /// Deletes the planner: one that an exception stopped in the middle of a query must not return.
+  void discard() { planner_.reset(); }
+
  private:
   friend class WarmPlanners;
   struct Shelf;
@@ -64,13 +67,15 @@ class WEND_API WarmPlanners {
   explicit WarmPlanners(std::size_t most_idle);
 
   /// A planner for this space: a kept one with the same name and options, or a new one. `version`
-  /// stands for the space: planners of other versions are dropped. Fails as make_planner() does.
+  /// stands for the space: planners of other versions are dropped. Fails as make_planner() does; a new one is made
+  /// before the deadline.
   Expected<WarmPlanner, Error> take(const FreeSpace& space, std::uint64_t version,
-                                    const PlannerSpec& spec);
+                                    const PlannerSpec& spec, const Deadline& deadline = {});
 
   /// `count` of them, one for each thread. They share what they prepare: the work is done once.
   Expected<std::vector<WarmPlanner>, Error> take(const FreeSpace& space, std::uint64_t version,
-                                                 const PlannerSpec& spec, std::size_t count);
+                                                 const PlannerSpec& spec, std::size_t count,
+                                                 const Deadline& deadline = {});
 
   /// Planners that nobody uses, while the space that they were made for changes.
   class Released;
@@ -87,7 +92,8 @@ class WEND_API WarmPlanners {
   void set_index(std::string_view planner, IndexBytes index);
 
  private:
-  PlannerResult make(const FreeSpace& space, const PlannerSpec& spec) const;
+  PlannerResult make(const FreeSpace& space, const PlannerSpec& spec,
+                     const Deadline& deadline) const;
 
   std::shared_ptr<WarmPlanner::Shelf> shelf_;
 };

@@ -62,7 +62,7 @@ TEST(MapMessage, KeepsRoughGround) {
 TEST(MapMessage, ThatIsNoMapSaysWhy) {
   const float not_a_number = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(map_from(message(0, 0, 1), {}).error().message, "the map is empty: 0 x 0 cells");
-  for (const float resolution : {0.0F, -1.0F, not_a_number}) {
+  for (const float resolution : {0.0F, -1.0F, not_a_number, 1e12F, 1e38F, 1e-30F}) {
     const auto map = map_from(message(4, 4, resolution), {});
     ASSERT_FALSE(map);
     EXPECT_EQ(map.error().status, wend::Status::invalid_map);

@@ -264,8 +264,9 @@ bool paths_may_be_too_long(const Turns& turns, std::span<const GraphArc> arcs) {
 Expected<IndexBytes, Error> build_corner_hierarchy(const BitGrid& passable,
                                                    const IndexBuilding& building,
                                                    const ContractionEffort& effort) {
-  const Turns turns(passable);
+  const Turns turns(passable, building);
   const std::vector<GraphArc> arcs = arcs_of(turns, building);
+  if (building.cancelled()) return failure(Status::cancelled, "the index was not finished");
   if (paths_may_be_too_long(turns, arcs)) {
     return failure(Status::unsupported_map,
                    "paths on this map may cost more than the index can store");

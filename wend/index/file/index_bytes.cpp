@@ -1,8 +1,8 @@
 #include "wend/index/file/index_bytes.hpp"
 
 #include <bit>
-#include <cstdlib>
 #include <cstring>
+#include <new>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -46,21 +46,24 @@ std::string size_text(std::int64_t width, std::int64_t height) {
 
 }  // namespace
 
-IndexBytes IndexBytes::copy_of(std::span<const std::byte> bytes) {
-  if (bytes.empty()) return {};
-  const std::size_t page = bytes.size() < kHugePage ? kAlignment : kHugePage;
-  const std::size_t room = (bytes.size() + page - 1) / page * page;
-  std::shared_ptr<std::byte> memory(static_cast<std::byte*>(std::aligned_alloc(page, room)),
-                                    [](std::byte* begin) { std::free(begin); });
-  if (memory == nullptr) std::abort();  // as new does without exceptions
+std::shared_ptr<std::byte> IndexBytes::memory_for(std::size_t size) {
+  const std::size_t page = size < kHugePage ? kAlignment : kHugePage;
+  const std::size_t room = (size + page - 1) / page * page;
+  const std::align_val_t alignment{page};
+  std::shared_ptr<std::byte> memory(
+      static_cast<std::byte*>(::operator new(room, alignment)),
+      [alignment](std::byte* begin) { ::operator delete(begin, alignment); });
   if (page == kHugePage) ask_for_huge_pages(memory.get(), room);
-  std::memcpy(memory.get(), bytes.data(), bytes.size());
-  const std::span<const std::byte> copy(memory.get(), bytes.size());
-  return {std::move(memory), copy};
+  return memory;
 }
 
-static_assert(std::endian::native == std::endian::little,
-              "an index is mapped as it lies in its file");
+IndexBytes IndexBytes::copy_of(std::span<const std::byte> bytes) {
+  return written(bytes.size(), [&](std::span<std::byte> copy) {
+    if (!bytes.empty()) std::memcpy(copy.data(), bytes.data(), bytes.size());
+  });
+}
+
+static_assert(std::endian::native == std::endian::little, "an index lies in memory as in its file");
 static_assert(sizeof(IndexHeader) % IndexBytes::kAlignment == 0);
 
 std::string_view IndexHeader::planner_name() const {

@@ -1,7 +1,7 @@
 #pragma once
 
-// IndexBytes: the bytes of an index as they are in its file, in memory or mapped. Immutable and cheap
-// to copy: copies share the bytes, also between threads.
+// IndexBytes: the bytes of an index as they are in its file, in memory. Immutable and cheap to copy:
+// copies share the bytes, also between threads.
 
 #include <array>
 #include <cstddef>
@@ -34,12 +34,24 @@ class WEND_API IndexBytes {
   /// A copy in memory.
   static IndexBytes copy_of(std::span<const std::byte> bytes);
 
+  /// `size` new bytes, which write(std::span<std::byte>) sets.
+  template <class Write>
+  static IndexBytes written(std::size_t size, Write&& write) {
+    if (size == 0) return {};
+    std::shared_ptr<std::byte> memory = memory_for(size);
+    const std::span<std::byte> bytes(memory.get(), size);
+    std::forward<Write>(write)(bytes);
+    return {std::move(memory), bytes};
+  }
+
   /// All bytes of the file. Valid as long as a copy of this object lives.
   std::span<const std::byte> bytes() const { return bytes_; }
   /// The number of bytes.
   std::size_t size() const { return bytes_.size(); }
 
  private:
+  static std::shared_ptr<std::byte> memory_for(std::size_t size);
+
   std::shared_ptr<const void> owner_;
   std::span<const std::byte> bytes_;
 };

@@ -10,11 +10,12 @@
 namespace wend {
 namespace {
 
-/// The costs from a cell to all others, to each a function; false if they outgrow 32 bits.
+/// The costs from a cell to all others, to each a function; false if they outgrow 32 bits, or the deadline passes.
 template <class Units, class Word, class Take>
-bool costs_from(const CostGrid<Word>& grid, Cell cell, Take&& take) {
+bool costs_from(const CostGrid<Word>& grid, Cell cell, const Deadline& deadline, Take&& take) {
   CostField<std::uint64_t, Word, Units> field(grid);
-  if (!field.allocated() || field.run({&cell, 1}, {}) != SearchOutcome::exhausted) return false;
+  if (!field.allocated()) return false;
+  if (field.run({&cell, 1}, deadline.left()) != SearchOutcome::exhausted) return false;
   if (field.bound() > std::numeric_limits<std::uint32_t>::max()) return false;
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {
@@ -25,11 +26,11 @@ bool costs_from(const CostGrid<Word>& grid, Cell cell, Take&& take) {
 }
 
 template <class Word, class Take>
-bool costs_on(const CostGrid<Word>& grid, Cell cell, Take&& take) {
+bool costs_on(const CostGrid<Word>& grid, Cell cell, const Deadline& deadline, Take&& take) {
   if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
-    if (grid.one() == 1) return costs_from<OctileUnits<std::uint32_t>>(grid, cell, take);
+    if (grid.one() == 1) return costs_from<OctileUnits<std::uint32_t>>(grid, cell, deadline, take);
     if (CostField<std::uint64_t, Word, CostUnits>::suits(grid)) {
-      return costs_from<CostUnits>(grid, cell, take);
+      return costs_from<CostUnits>(grid, cell, deadline, take);
     }
   }
   return false;
@@ -48,25 +49,26 @@ std::optional<Cell> first_free_cell(const CostGrid<Word>& grid) {
 }  // namespace
 
 template <class Word>
-std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<Word>& grid, unsigned count) {
+std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<Word>& grid, unsigned count,
+                                                 const Deadline& deadline) {
   auto made = std::make_shared<Landmarks>();
   const auto first = first_free_cell(grid);
   if (!first || count == 0) return made;
-  made->costs_.assign(std::size_t{grid.state_count()} * count, kUnreached);
   // By cell: how far the nearest landmark is. At first, how far the first cell is, which is none.
   std::vector<std::uint32_t> nearest(grid.state_count(), 0);
   Cell next = *first;
-  if (!costs_on(grid, *first,
+  if (!costs_on(grid, *first, deadline,
                 [&](Cell cell, std::uint32_t cost) { nearest[grid.number(cell)] = cost; })) {
     return made;
   }
+  made->costs_.assign(std::size_t{grid.state_count()} * count, kUnreached);
   for (unsigned i = 0; i < count; ++i) {
     const auto farthest = std::ranges::max_element(nearest);
     next = grid.cell(static_cast<StateId>(farthest - nearest.begin()));
     if (i == 0) {
       std::ranges::replace_if(nearest, [](std::uint32_t cost) { return cost > 0; }, kUnreached);
     }
-    const bool done = costs_on(grid, next, [&](Cell cell, std::uint32_t cost) {
+    const bool done = costs_on(grid, next, deadline, [&](Cell cell, std::uint32_t cost) {
       const StateId id = grid.number(cell);
       made->costs_[id * std::size_t{count} + i] = cost;
       nearest[id] = std::min(nearest[id], cost);
@@ -104,7 +106,9 @@ Landmarks::Bounds::Bounds(std::shared_ptr<const Landmarks> landmarks, StateId st
   for (std::size_t i = 0; i < used_; ++i) at_goal_[i] = costs_[goal * stride_ + which_[i]];
 }
 
-template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint32_t>&, unsigned);
-template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint64_t>&, unsigned);
+template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint32_t>&, unsigned,
+                                                          const Deadline&);
+template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint64_t>&, unsigned,
+                                                          const Deadline&);
 
 }  // namespace wend

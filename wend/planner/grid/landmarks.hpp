@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/deadline.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/grid/cost_grid.hpp"
@@ -25,9 +26,10 @@ class Landmarks {
  public:
   /// The costs of `count` landmarks on a grid, fewer if the map has fewer cells or costs outgrow 32 bits. They lie
   /// in the component of the first free cell and others that are far from it. O(count * cells), 4 bytes a cell
-  /// and landmark.
+  /// and landmark. None if the deadline passes before.
   template <class Word>
-  static std::shared_ptr<const Landmarks> make(const CostGrid<Word>& grid, unsigned count);
+  static std::shared_ptr<const Landmarks> make(const CostGrid<Word>& grid, unsigned count,
+                                               const Deadline& deadline = {});
 
   std::size_t count() const { return count_; }
 

@@ -25,9 +25,10 @@ template std::shared_ptr<GridEngine> make_leap_engine(
     const std::shared_ptr<const CostGrid<std::uint64_t>>&, const BestFirst&,
     const std::shared_ptr<const Landmarks>&);
 
-GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts, unsigned landmarks) {
+GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts, unsigned landmarks,
+                              const Deadline& deadline) {
   const auto engine_on = [&]<class Word>(const std::shared_ptr<CostGrid<Word>>& grid) {
-    const auto bounds = landmarks == 0 ? nullptr : Landmarks::make(*grid, landmarks);
+    const auto bounds = landmarks == 0 ? nullptr : Landmarks::make(*grid, landmarks, deadline);
     return make_leap_engine<Word>(grid, parts, bounds);
   };
   return cost_grid_parts(space, parts, engine_on, [=](const FreeSpace& other) {
