@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "wend/analysis/cost_to_go.hpp"
@@ -17,6 +18,7 @@
 
 struct wend_map {
   wend::GridMap map;
+  std::vector<std::string> notes = {};  // on the file that it was loaded from
 };
 
 struct wend_robot {
