@@ -2,7 +2,7 @@
 # of reports, which are not installed.
 
 set(wend_packages Threads tl-expected)
-set(wend_io_packages fmt yaml-cpp PNG nlohmann_json)
+set(wend_io_packages fmt yaml-cpp PNG JPEG nlohmann_json)
 set(wend_report_packages GIF)
 set(wend_report_pkgconfig_modules cairo chafa)
 
@@ -12,6 +12,9 @@ set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL TRUE)
 foreach(package IN LISTS wend_packages wend_io_packages)
   find_package(${package} REQUIRED)
 endforeach()
+
+# Headers only: wend/io/image/bmp.cpp compiles what it needs of them.
+find_path(wend_stb_folder stb/stb_image.h REQUIRED)
 
 if(WEND_BUILD_REPORTS)
   foreach(package IN LISTS wend_report_packages)

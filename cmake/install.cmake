@@ -22,6 +22,12 @@ foreach(header IN LISTS wend_public_headers)
 endforeach()
 if(TARGET wend_cli)
   install(TARGETS wend_cli COMPONENT program)
+  if(WEND_DEBIAN AND BUILD_SHARED_LIBS)
+    # The loader finds the library of the package without a path.
+    install(
+      CODE "file(RPATH_REMOVE FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/wend\")"
+      COMPONENT program)
+  endif()
 endif()
 
 install(
@@ -57,7 +63,7 @@ else()
   endforeach()
   # A C compiler does not add those of C++.
   string(APPEND pc_libraries "-pthread -lstdc++ -lm")
-  set(pc_requires "fmt yaml-cpp libpng")
+  set(pc_requires "fmt yaml-cpp libpng libjpeg")
   set(pc_flags "")
 endif()
 file(RELATIVE_PATH pc_to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")

@@ -104,9 +104,14 @@ function(wend_link_program target)
   endforeach()
   target_link_libraries(${target} PRIVATE wend_shared)
   file(RELATIVE_PATH to_library "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
-  if(NOT WEND_DEBIAN)
-    set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${to_library}")
-  endif()
+  # The build tree has the library where an installation has it, so that both can have the same path. CMake would
+  # make room for another one with colons, and an empty path is the current folder, whose libraries anybody may
+  # have written (scripts/check_library_paths).
+  set(name "libwend.so.${PROJECT_VERSION_MAJOR}")
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+  file(CREATE_LINK "${PROJECT_BINARY_DIR}/wend/${name}" "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${name}"
+       SYMBOLIC)
+  set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${to_library}" BUILD_WITH_INSTALL_RPATH ON)
 endfunction()
 
 # wend_check_listed(<list.def> <macro> [<suffix>]): a registry is made from the list; what stands there as

@@ -43,6 +43,11 @@ static void check_map(void) {
   wend_map_free(map);
   CHECK(wend_map_parse("..\n", 3, "m.txt", &map, NULL) == WEND_OK);
   wend_map_free(map);
+  CHECK(wend_map_note_count(NULL) == 0 && wend_map_note(NULL, 0) == NULL);
+  CHECK(wend_map_parse("P2 2 1 65535 0 254\n", 19, "m.pgm", &map, NULL) == WEND_OK);
+  CHECK(wend_map_note_count(map) == 1 && strstr(wend_map_note(map, 0), "almost black") != NULL);
+  CHECK(wend_map_note(map, 1) == NULL);
+  wend_map_free(map);
   CHECK(wend_map_load("there is no such file.txt", &map, NULL) == WEND_INVALID_FILE);
   CHECK(map == NULL);
 }

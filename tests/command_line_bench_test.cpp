@@ -237,6 +237,12 @@ TEST_F(BenchCommand, RefusesBadInput) {
               HasSubstr("--per-query"));
   const std::string kept = scenario(kRight);
   EXPECT_EQ(wend({"bench", kept, "--per-query", kept}).code, 2);
+  const std::string queries = "start,goal\n\"1,1\",\"2,2\"\n";
+  const std::string other = folder_.write("queries.csv", queries);
+  const auto refused = wend({"bench", scenario(kRight), "--per-query", other});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("is not what the option writes"));
+  EXPECT_EQ(bytes_of(other), queries);
   EXPECT_THAT(bytes_of(kept), HasSubstr("ok.map"));
 }
 
@@ -324,6 +330,8 @@ TEST_F(BenchCommand, GivesUpAfterATimeAndDoesNotCountThatAsWrong) {
 
 TEST_F(BenchCommand, WritesEveryQuery) {
   const std::string csv = folder_ / "queries.csv";
+  // Twice: the option replaces its own file.
+  EXPECT_EQ(wend({"bench", scenario(kRight), "--planner", "astar", "--per-query", csv}).code, 0);
   ASSERT_EQ(wend({"bench", scenario(kRight), "--planner", "astar,bfs", "--per-query", csv}).code,
             0);
   const std::string text = bytes_of(csv);

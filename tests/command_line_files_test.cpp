@@ -317,5 +317,38 @@ TEST_F(Memory, WhatDoesNotFitIsRefusedWithTheEstimate) {
   EXPECT_THAT(bash("$WEND view large.map --limit-memory 1").err, HasSubstr("need about 3 MB"));
 }
 
+/// How often a text stands in another.
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(MapNotes, AreSaidOnceByEveryCommand) {
+  const TemporaryFolder folder;
+  folder.write("m.pgm", "P2 5 1 255 254 254 254 205 0\n");
+  const std::string map =
+      folder.write("m.yaml",
+                   "image: /home/someone/m.pgm\nresolution: 1\norigin: [0, 0, 90]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.25\n");
+  const std::vector<std::string> notes = {"beside the map.yaml", "read in radians", "grey 205"};
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"plan", map, "--cells", "--start", "0,0", "--goal", "2,0"},
+           {"field", map, "--cells", "--goal", "2,0"},
+           {"explain", map, "--cells", "--start", "0,0", "--goal", "2,0"},
+           {"view", map},
+           {"convert", map, folder / "out.txt"}}) {
+    const auto outcome = wend(command);
+    for (const std::string& note : notes) {
+      EXPECT_EQ(count_of(note, outcome.err), 1U) << command[0] << ": " << outcome.err;
+    }
+  }
+  const auto info = wend({"info", map});
+  EXPECT_EQ(count_of("beside the map.yaml", info.err), 1U);
+  EXPECT_EQ(count_of("note", info.out), 2U) << info.out;
+  const auto report = json::parse(wend({"info", map, "--format", "json"}).out);
+  EXPECT_EQ(report["notes"].size(), 3U);
+}
+
 }  // namespace
 }  // namespace wend::test

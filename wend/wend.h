@@ -152,7 +152,8 @@ WEND_C_API wend_status wend_map_create(const uint8_t* cells, size_t size, int32_
                                        int32_t height, const wend_map_options* options,
                                        wend_map** map, wend_error* error);
 
-/// Loads a map file: a ROS map.yaml, a MovingAI map, a text grid or an image. Maps without a resolution have
+/// Loads a map file: a ROS map.yaml, a MovingAI map, a text grid or an image. wend_map_note() has what is unusual in
+/// it. Maps without a resolution have
 /// 1 m a cell, and their first row is on top. Free the map with wend_map_free(). Fails with WEND_INVALID_FILE.
 WEND_C_API wend_status wend_map_load(const char* file, wend_map** map, wend_error* error);
 
@@ -210,6 +211,12 @@ WEND_C_API int32_t wend_map_height(const wend_map* map);
 WEND_C_API double wend_map_resolution(const wend_map* map);
 /// Writes the corner of cell (0, 0) and the direction of its row to `origin`.
 WEND_C_API wend_status wend_map_origin(const wend_map* map, wend_pose* origin, wend_error* error);
+
+/// The number of notes on a map or mask from a file: what is legal there, but unusual or probably not meant, such as
+/// thresholds by which the unknown grey of map savers is free ground. 0 for maps from memory, copies, and null.
+WEND_C_API size_t wend_map_note_count(const wend_map* map);
+/// A note, a sentence for people. Valid until the map is freed; null for null and for an index out of range.
+WEND_C_API const char* wend_map_note(const wend_map* map, size_t index);
 
 /// Frees a map. Sessions that use it keep what they need.
 WEND_C_API void wend_map_free(wend_map* map);

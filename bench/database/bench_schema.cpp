@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "wend/base/status.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {
@@ -10,6 +11,7 @@ namespace {
 constexpr std::int64_t kApplication = 0x77656E64;  // "wend"
 constexpr std::int64_t kDatabaseSchema = 2;        // of this file
 constexpr int kStatuses = static_cast<int>(Status::index_mismatch) + 1;
+constexpr std::size_t kLongestFault = 200;  // of a damaged database, in bytes
 
 // The columns up to `setup` are the twelve that Planner Arena knows. It treats later columns as
 // parameters of a problem, and asks `progress` for a best cost.
@@ -136,9 +138,10 @@ std::string fault_of(SqliteConnection& connection) {
   if (number_of(connection, "PRAGMA user_version") != kDatabaseSchema) {
     return "it was written by another version of wend; start a new file";
   }
-  SqliteStatement check(connection, "PRAGMA quick_check");
+  SqliteStatement check(connection, "PRAGMA quick_check(1)");
   const bool whole = check.run() && check.text(0) == "ok";
-  if (connection.ok() && !whole) return "the database is damaged: " + check.text(0);
+  if (connection.ok() && !whole)
+    return "the database is damaged: " + text_line(check.text(0), kLongestFault);
   return {};
 }
 

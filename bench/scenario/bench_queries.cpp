@@ -25,9 +25,11 @@ std::string line_of(const BenchedMap& map, const BenchAnswer& answer, bool fresh
 
 }  // namespace
 
+const std::string_view kBenchQueriesHeader =
+    "scen,line,planner,status,length,expanded,wrong,prepare_us,first_us,later_us,passes\n";
+
 std::string bench_queries_csv(std::span<const BenchedMap> maps, bool fresh) {
-  std::string csv =
-      "scen,line,planner,status,length,expanded,wrong,prepare_us,first_us,later_us,passes\n";
+  std::string csv(kBenchQueriesHeader);
   for (const BenchedMap& map : maps) {
     for (const BenchAnswer& answer : map.answers) csv += line_of(map, answer, fresh);
   }

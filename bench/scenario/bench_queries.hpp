@@ -4,10 +4,14 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "bench/scenario/bench_answer.hpp"
 
 namespace wend {
+
+/// The first line of bench_queries_csv(), with its line end.
+extern const std::string_view kBenchQueriesHeader;
 
 /// One line per answer, after a header line: scen, line (of the query in the scenario), planner, status,
 /// length, expanded, wrong (0 or 1), prepare_us and first_us (empty where no new planner was asked),

@@ -9,6 +9,7 @@
 #include "cli/arguments/coordinates.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/output/output.hpp"
 #include "cli/output/plan_text.hpp"
 #include "wend/io/files.hpp"
 #include "wend/path/path_collision.hpp"
@@ -51,6 +52,12 @@ void check_read_once(const std::vector<std::string>& names) {
 
 LoadedMap read_map(const std::string& file, const LoadOptions& options) {
   return value_or_throw(load_map_or_stream(file, options));
+}
+
+void complain_of_notes(const std::string& file, const LoadedMap& loaded) {
+  for (const std::string& note : loaded.notes) {
+    complain(fmt::format("{}: {}", stream_name(file), note));
+  }
 }
 
 std::vector<QueryRow> read_queries(const std::string& file) {

@@ -20,6 +20,9 @@ void check_read_once(const std::vector<std::string>& names);
 /// Throws InputError if it cannot be read.
 LoadedMap read_map(const std::string& file, const LoadOptions& options = {});
 
+/// Writes the notes on a map to standard error, a line each.
+void complain_of_notes(const std::string& file, const LoadedMap& loaded);
+
 /// Throws InputError if the file is not a list of queries. An invalid row is kept, with its error.
 std::vector<QueryRow> read_queries(const std::string& file);
 

@@ -71,6 +71,12 @@ void MapFileArguments::add_to(Parser& app, const std::string& name) {
 }
 
 LoadedMap MapFileArguments::load() const {
+  LoadedMap loaded = load_silently();
+  complain_of_notes(file, loaded);
+  return loaded;
+}
+
+LoadedMap MapFileArguments::load_silently() const {
   LoadOptions options;
   options.resolution = resolution;
   LoadedMap loaded = read_map(file, options);
@@ -169,6 +175,12 @@ void MapArguments::add_to(Parser& app) {
   add_number(app, "--limit-memory", limit_memory, kMegabytes,
              "Limit on memory in megabytes; a map that needs more is rejected (default: the memory "
              "available on the system)");
+}
+
+LoadedMap MapArguments::load() const {
+  LoadedMap loaded = MapFileArguments::load();
+  if (!primitives.empty()) loaded.files.emplace_back(primitives);
+  return loaded;
 }
 
 void MapArguments::check_memory(const GridMap& map, double need) const {

@@ -28,8 +28,11 @@ struct MapFileArguments {
   /// `name` is what help calls the file.
   void add_to(Parser& app, const std::string& name);
 
-  /// The map under its masks. Throws InputError if the map or a mask cannot be read, or if a mask does not fit.
+  /// The map under its masks. Notes on it go to standard error. Throws InputError if the map or a mask cannot be read, or if a mask does not fit.
   LoadedMap load() const;
+
+  /// The same without a word about the notes on the map, for a command that reports them.
+  LoadedMap load_silently() const;
 };
 
 /// The robot on a map.
@@ -62,6 +65,9 @@ struct MapArguments : MapFileArguments, RobotArguments {
   std::optional<double> limit_memory;  // megabytes
 
   void add_to(Parser& app);
+
+  /// MapFileArguments::load(), and the file of motion primitives among those that must not be overwritten.
+  LoadedMap load() const;
 
   /// Throws NoPathError if the map needs more bytes than there are.
   void check_memory(const GridMap& map, double need) const;

@@ -50,7 +50,7 @@ constexpr const char* kBenchExamples = R"(Examples:
   wend generate scenario rooms.map --buckets 10 --seed 1 -o rooms.map.scen
   wend bench rooms.map.scen --planner astar,jps,hub_labels
   wend bench rooms.map.scen --planner astar,jps --fresh --sample 20
-  wend bench . --planner astar,dijkstra --repetitions 2 --per-query queries.csv
+  wend bench . --planner astar,dijkstra --repetitions 2 --per-query times.csv
   wend bench rooms.map.scen --robot-radius 1.5 --connectivity 4
   wend bench . --planner astar,dijkstra --database results.db --plot results.svg
   wend bench queries.scen --map arena.map
@@ -103,6 +103,8 @@ void check(const Parser& bench, const BenchArguments& arguments) {
   }
   if (!arguments.per_query.empty()) {
     check_folder(arguments.per_query, "--per-query " + arguments.per_query);
+    check_replaces_own(arguments.per_query, kBenchQueriesHeader,
+                       "--per-query " + arguments.per_query);
   }
   if (arguments.plot.empty()) return;
   plot_kind_of(arguments.plot);

@@ -15,6 +15,7 @@
 #include "wend/io/map/losses.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/io/map/save_map.hpp"
+#include "wend/io/text.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend::cli {
@@ -68,10 +69,6 @@ Conversion prepare(const ConvertArguments& arguments) {
   return {std::move(loaded), *format, std::move(lost)};
 }
 
-void complain_of(const std::string& file, const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) complain(fmt::format("{}: {}", file, line));
-}
-
 std::string json_of(const ConvertArguments& arguments, const Conversion& conversion, bool saved) {
   std::vector<std::string> files;
   if (saved) files = files_of_maps({arguments.output});
@@ -88,7 +85,8 @@ std::string json_of(const ConvertArguments& arguments, const Conversion& convers
 std::string text_of(const ConvertArguments& arguments, const Conversion& conversion) {
   const GridMap& map = conversion.loaded.map;
   return fmt::format(
-      "{}: {} x {} cells, {} to {}\n", fmt::join(files_of_maps({arguments.output}), " and "),
+      "{}: {} x {} cells, {} to {}\n",
+      visible(fmt::format("{}", fmt::join(files_of_maps({arguments.output}), " and "))),
       map.width(), map.height(), to_string(conversion.loaded.format), to_string(conversion.format));
 }
 
@@ -104,8 +102,9 @@ void save(const GridMap& map, const ConvertArguments& arguments) {
 
 int run(const ConvertArguments& arguments) {
   const Conversion conversion = prepare(arguments);
-  complain_of(arguments.input.file, conversion.loaded.notes);
-  complain_of(arguments.output, conversion.losses);
+  for (const std::string& loss : conversion.losses) {
+    complain(fmt::format("{}: {}", arguments.output, loss));
+  }
   const bool saved = !arguments.strict || conversion.losses.empty();
   if (saved) {
     save(nearest_map(conversion.loaded.map, conversion.format), arguments);

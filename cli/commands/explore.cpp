@@ -79,6 +79,7 @@ class ExploreRun {
     if (!arguments.known.empty()) {
       auto known = load_map(arguments.known);
       if (!known) throw InputError(known.error().message);
+      complain_of_notes(arguments.known, *known);
       known_ = std::move(known->map);
     }
   }

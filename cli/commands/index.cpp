@@ -14,6 +14,7 @@
 #include "wend/base/thread_workers.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
+#include "wend/io/text.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend::cli {
@@ -98,7 +99,7 @@ int build(const BuildArguments& arguments) {
   } else {
     print(fmt::format(
         "{}: {} of {} x {} cells, {:.1f} MB, built in {:.2f} s of wall time with {} thread{}\n",
-        arguments.output, planner.name, space.width(), space.height(),
+        visible(arguments.output), planner.name, space.width(), space.height(),
         static_cast<double>(index->size()) / kMegabyte, seconds, workers.count(),
         workers.count() == 1 ? "" : "s"));
   }
@@ -129,8 +130,8 @@ int info(const IndexInfoArguments& arguments) {
       "map             {} x {} cells, {} of them passable\n"
       "map hash        {:016x}\n"
       "size            {:.1f} MB, {:.1f} bytes a passable cell\n",
-      header.planner_name(), header.version, header.width, header.height, header.passable_cells,
-      header.map_hash, static_cast<double>(header.bytes) / kMegabyte,
+      visible(header.planner_name()), header.version, header.width, header.height,
+      header.passable_cells, header.map_hash, static_cast<double>(header.bytes) / kMegabyte,
       static_cast<double>(header.bytes) / cells));
   return success;
 }

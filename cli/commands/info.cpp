@@ -1,6 +1,9 @@
 // wend info: what a map file holds.
 
+#include <fmt/format.h>
+
 #include <memory>
+#include <vector>
 
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/map_arguments.hpp"
@@ -26,7 +29,12 @@ constexpr const char* kInfoExamples = R"(Examples:
 Exit codes: 0 the map is valid, 2 it is not (standard error gives the reason).)";
 
 int run(const InfoArguments& arguments) {
-  const LoadedMap loaded = arguments.map.load();
+  LoadedMap loaded = arguments.map.load_silently();
+  if (arguments.format == Format::text && !loaded.image_note.empty()) {
+    // Another file than the one named is no content of the map: a warning, as in all commands.
+    complain(fmt::format("{}: {}", stream_name(arguments.map.file), loaded.image_note));
+    std::erase(loaded.notes, loaded.image_note);
+  }
   const FreeSpaceOptions robot = arguments.map.options(loaded.map);
   arguments.map.check_memory(loaded.map, survey_bytes(loaded.map, robot));
   const auto info = map_info(stream_name(arguments.map.file), loaded, robot);

@@ -186,6 +186,10 @@ int run(const PlanArguments& arguments) {
   arguments.refine.steer(planner, arguments.map.coordinates(loaded.map));
   arguments.output.check_not_among(loaded.files);
   arguments.trajectory.check_not_among(loaded.files);
+  if (!arguments.index.empty()) {
+    arguments.output.check_not_among({arguments.index});
+    arguments.trajectory.check_not_among({arguments.index});
+  }
   check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
   const auto session = timed(thread_cpu_seconds, times.free_space,
                              [&] { return session_for(arguments, loaded.map, planner); });

@@ -15,6 +15,7 @@
 #include "cli/output/picture.hpp"
 #include "cli/output/terminal.hpp"
 #include "cli/watching/shown_layers.hpp"
+#include "wend/io/text.hpp"
 #include "wend/path/path_metrics.hpp"
 
 namespace wend::cli {
@@ -89,7 +90,8 @@ class Viewing {
   void add(Panel panel) {
     const std::string drawn = picture(panel.scene, screen_, look_);
     const std::string caption = panel.caption.empty() ? "" : " (" + panel.caption + ")";
-    if (!drawn.empty()) print(folded(panel.title + caption, screen_.columns) + "\n" + drawn);
+    if (!drawn.empty())
+      print(folded(visible(panel.title + caption), screen_.columns) + "\n" + drawn);
     panels_.push_back(std::move(panel));
   }
 
@@ -146,7 +148,10 @@ void check_idle(const Parser& view, const ViewArguments& arguments) {
 int run(const ViewArguments& arguments) {
   check(arguments);
   std::vector<LoadedMap> maps{arguments.map.load()};
-  for (const std::string& file : arguments.beside) maps.push_back(read_map(file));
+  for (const std::string& file : arguments.beside) {
+    maps.push_back(read_map(file));
+    complain_of_notes(file, maps.back());
+  }
   for (const LoadedMap& loaded : maps) arguments.output.check_not_among(loaded.files);
   for (const std::string& path : arguments.paths) arguments.output.check_not_among({path});
 

@@ -15,6 +15,7 @@
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
 #include "wend/io/files.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend::cli {
 namespace {
@@ -42,7 +43,7 @@ void complain(std::string_view text) {
   std::fflush(stdout);
   // A progress bar may stand there.
   const std::string clear = isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "";
-  const std::string line = clear + "wend: " + std::string(text) + "\n";
+  const std::string line = clear + "wend: " + visible(text) + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
@@ -61,6 +62,17 @@ void check_not_among(const std::vector<std::filesystem::path>& inputs,
     throw InputError(fmt::format(
         "{}: this file is also an input and would be overwritten; choose another name", name));
   }
+}
+
+void check_replaces_own(const std::filesystem::path& file, std::string_view beginning,
+                        const std::string& name) {
+  std::error_code error;
+  if (file == kStandardOutput || !std::filesystem::is_regular_file(file, error)) return;
+  auto content = FilePieces::open(file);
+  if (!content || content->size() == 0 || content->next().starts_with(beginning)) return;
+  throw InputError(fmt::format(
+      "{}: this file exists and is not what the option writes; choose another name, or remove it",
+      name));
 }
 
 void check_folder(const std::filesystem::path& file, const std::string& name) {

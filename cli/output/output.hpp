@@ -26,6 +26,11 @@ bool finish_output();
 /// Writes a file. Returns the error message, empty on success.
 using FileWriter = std::function<std::string(const std::string& file)>;
 
+/// Throws InputError if there is a file of this name that does not begin with `beginning`, as those that this option
+/// writes do: it is something else, and would be lost. `name` is what the message calls it.
+void check_replaces_own(const std::filesystem::path& file, std::string_view beginning,
+                        const std::string& name);
+
 /// Throws InputError if a file that is about to be written is one of `inputs`: the map would be
 /// lost. `name` is what the message calls it.
 void check_not_among(const std::vector<std::filesystem::path>& inputs,

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <utility>
 
 #include "cli/output/terminal.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend::cli {
 namespace {
@@ -31,7 +31,7 @@ std::string bar(std::uint64_t done, std::uint64_t total) {
 }  // namespace
 
 ProgressBar::ProgressBar(std::string label, std::uint64_t total)
-    : label_(std::move(label)),
+    : label_(visible(label)),
       total_(std::max<std::uint64_t>(total, 1)),
       seen_(progress_is_seen()),
       next_(Clock::now() + kDelay) {}

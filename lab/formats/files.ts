@@ -48,7 +48,7 @@ async function openText(file: File): Promise<GridFile> {
 
 async function openYaml(yaml: File, files: File[]): Promise<GridFile> {
   const { image, frame, meaning } = readMapYaml(await yaml.text(), yaml.name);
-  const name = image.split('/').at(-1)!;
+  const name = image.split(/[/\\]/).at(-1)!;
   const picture = files.find((file) => file.name === name);
   if (!picture) throw fault(yaml.name, 0, `open it together with its image, ${name}`);
   return gridOf(await imageOf(picture), meaning, frame);

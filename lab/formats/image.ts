@@ -1,5 +1,5 @@
 // Images as maps: grey values by the thresholds of a map.yaml; see wend/io/map/image_map.hpp. PNG and the like are
-// decoded by the browser, PGM and PBM here.
+// decoded by the browser, PNM here.
 
 import { plainFrame, unknown, type Frame } from '../engine/types';
 import { checkSize, fault, type GridFile } from './grid';
@@ -52,11 +52,16 @@ export function gridOf(image: GreyImage, meaning: Meaning = usualMeaning, frame:
   return { width, height, frame, cells };
 }
 
-/** PBM and PGM, as text (P1, P2) or bytes (P4, P5). */
+/** The grey of a colour, as `luma()` of wend/io/image/grey_image.hpp. */
+export function luma(red: number, green: number, blue: number): number {
+  return Math.floor((299 * red + 587 * green + 114 * blue + 500) / 1000);
+}
+
+/** PBM, PGM and PPM, as text (P1 to P3) or bytes (P4 to P6). */
 export function readPnm(bytes: Uint8Array, file: string): GreyImage {
   let at = 2;
   const kind = String.fromCharCode(...bytes.subarray(0, 2));
-  if (!['P1', 'P2', 'P4', 'P5'].includes(kind)) throw fault(file, 0, `images of kind ${JSON.stringify(kind)} are not read here: save it as PNG or PGM`);
+  if (!['P1', 'P2', 'P3', 'P4', 'P5', 'P6'].includes(kind)) throw fault(file, 0, `images of kind ${JSON.stringify(kind)} are not read here: save it as PNG or PGM`);
   const isBlank = (byte: number | undefined) => byte === 32 || (byte !== undefined && byte >= 9 && byte <= 13);
   const next = (digits = 9): number => {
     while (isBlank(bytes[at]) || bytes[at] === 35) {
@@ -75,21 +80,26 @@ export function readPnm(bytes: Uint8Array, file: string): GreyImage {
   const bits = kind === 'P1' || kind === 'P4';
   const maximum = bits ? 1 : next();
   if (maximum < 1 || maximum > 65535) throw fault(file, 0, `the maximum ${maximum} is not between 1 and 65535`);
+  const channels = kind === 'P3' || kind === 'P6' ? 3 : 1;
   const values = new Uint16Array(width * height);
-  if (kind === 'P1' || kind === 'P2') {
+  /** The grey of the samples that `sample` gives one after the other. */
+  const grey = (sample: () => number): number => {
+    const first = Math.min(sample(), maximum);
+    return channels === 1 ? first : luma(first, Math.min(sample(), maximum), Math.min(sample(), maximum));
+  };
+  if (kind === 'P1' || kind === 'P2' || kind === 'P3') {
     // In a bitmap, 1 is black.
-    for (let i = 0; i < values.length; ++i) values[i] = bits ? 1 - next(1) : Math.min(next(), maximum);
+    for (let i = 0; i < values.length; ++i) values[i] = bits ? 1 - next(1) : grey(() => next());
   } else {
     ++at;  // one blank ends the header
     const wide = maximum > 255 ? 2 : 1;
-    const row = bits ? Math.ceil(width / 8) : width * wide;
+    const row = bits ? Math.ceil(width / 8) : width * channels * wide;
     if (bytes.length < at + row * height) throw fault(file, 0, 'the image is cut off');
     for (let y = 0; y < height; ++y) {
       for (let x = 0; x < width; ++x) {
-        const from = at + y * row;
-        const value = bits ? 1 - ((bytes[from + (x >> 3)]! >> (7 - (x & 7))) & 1)
-          : wide === 2 ? bytes[from + 2 * x]! * 256 + bytes[from + 2 * x + 1]! : bytes[from + x]!;
-        values[y * width + x] = Math.min(value, maximum);
+        let from = at + y * row + x * channels * wide;
+        const sample = () => (wide === 2 ? bytes[from++]! * 256 + bytes[from++]! : bytes[from++]!);
+        values[y * width + x] = bits ? 1 - ((bytes[at + y * row + (x >> 3)]! >> (7 - (x & 7))) & 1) : grey(sample);
       }
     }
   }
@@ -112,7 +122,7 @@ export async function readPicture(blob: Blob, file: string): Promise<GreyImage> 
   const values = new Uint8Array(width * height);
   const transparent = new Uint8Array(width * height);
   for (let i = 0; i < values.length; ++i) {
-    values[i] = Math.round((data[4 * i]! + data[4 * i + 1]! + data[4 * i + 2]!) / 3);
+    values[i] = luma(data[4 * i]!, data[4 * i + 1]!, data[4 * i + 2]!);
     transparent[i] = data[4 * i + 3] === 255 ? 0 : 1;
   }
   return { width, height, maximum: 255, values, transparent };

@@ -2,12 +2,12 @@
 
 import { File as NodeFile } from 'node:buffer';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readdirSync, readFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { openFiles } from '../formats/files';
-import { byteOf, readPnm, usualMeaning } from '../formats/image';
+import { byteOf, luma, readPnm, usualMeaning } from '../formats/image';
 import { readMapYaml, writeMapYaml } from '../formats/map_yaml';
 import { readMovingAi, readScenario } from '../formats/moving_ai';
 import { pathCsv } from '../formats/save';
@@ -109,6 +109,19 @@ describe('readers', () => {
     expect([0, 90, 205, 254].map((value) => byteOf(value, 255, usualMeaning))).toEqual([0, 255, 255, 1]);
     expect(byteOf(100, 255, { ...usualMeaning, mode: 'raw' })).toBe(0);
     expect(byteOf(0, 255, { ...usualMeaning, negate: true })).toBe(1);
+  });
+
+  test('colours have the grey of the command line', async () => {
+    expect([luma(255, 0, 0), luma(0, 255, 0), luma(255, 255, 0), luma(205, 205, 205)]).toEqual([76, 150, 226, 205]);
+    const random = randomFrom(5);
+    for (const kind of ['P3', 'P6']) {
+      const samples = Array.from({ length: 40 * 30 * 3 }, () => Math.floor(random() * 256));
+      const file = join(folder, `colours${kind}.ppm`);
+      const header = Buffer.from(`${kind}\n40 30\n255\n`);
+      writeFileSync(file, Buffer.concat([header, kind === 'P6' ? Buffer.from(samples) : Buffer.from(samples.join('\n'))]));
+      const { grid } = await opened(file);
+      expect(writeTextGrid(grid!)).toBe(converted(file));
+    }
   });
 
   test('text grids come back as they were', () => {

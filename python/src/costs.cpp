@@ -2,8 +2,10 @@
 
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include <cstdint>
 #include <optional>
@@ -71,8 +73,10 @@ GridMap costmap_of(nb::handle array, std::optional<double> resolution, const Ori
                                          frame_of(resolution, origin, y_up), {cost_factor}));
 }
 
-GridMap mask_of(const std::filesystem::path& file, const std::string& kind, double base,
-                double multiplier, std::optional<double> top_speed) {
+std::pair<GridMap, std::vector<std::string>> mask_of(const std::filesystem::path& file,
+                                                     const std::string& kind, double base,
+                                                     double multiplier,
+                                                     std::optional<double> top_speed) {
   if (kind != "keepout" && kind != "speed") {
     throw Failed(
         option_text::option_error("kind", option_text::unknown_choice(kind, {"keepout", "speed"})));
@@ -80,7 +84,8 @@ GridMap mask_of(const std::filesystem::path& file, const std::string& kind, doub
   const MaskReading reading{.kind = kind == "speed" ? MaskKind::speed : MaskKind::keepout,
                             .speed = {base, multiplier, top_speed}};
   const nb::gil_scoped_release unlocked;
-  return value_or_throw(load_mask(file, reading)).map;
+  LoadedMap loaded = value_or_throw(load_mask(file, reading));
+  return {std::move(loaded.map), std::move(loaded.notes)};
 }
 
 GridMap map_under(const GridMap& map, const GridMap& mask) {

@@ -2,8 +2,10 @@
 
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include <tuple>
 
@@ -83,7 +85,8 @@ void bind_map(nb::module_& module) {
       "load_map",
       [](const std::filesystem::path& file, std::optional<double> resolution) {
         const nb::gil_scoped_release unlocked;
-        return value_or_throw(load_map(file, {.resolution = resolution})).map;
+        LoadedMap loaded = value_or_throw(load_map(file, {.resolution = resolution}));
+        return std::pair(std::move(loaded.map), std::move(loaded.notes));
       },
       nb::arg("file"), nb::arg("resolution").none());
 }

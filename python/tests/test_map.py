@@ -132,6 +132,19 @@ def test_costs_and_frame_come_back() -> None:
     assert wend.Map([[0, 0]]).costs.tolist() == [[1, 1]]
 
 
+def test_notes_say_what_is_probably_not_meant(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "m.pgm").write_text("P2 3 1 255 0 205 254\n")
+    (tmp_path / "m.yaml").write_text(
+        "image: /home/someone/m.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.25\n"
+    )
+    room = wend.Map.load(tmp_path / "m.yaml")
+    assert room.array.tolist() == [[1, 0, 0]]
+    assert len(room.notes) == 2 and "beside the map.yaml" in room.notes[0] and "grey 205" in room.notes[1]
+    assert len(room.with_mask(tmp_path / "m.yaml").notes) == 4
+    assert wend.Map(np.zeros((1, 3), dtype=np.int8)).notes == ()
+
+
 @pytest.mark.parametrize("name", ["map.yaml", "map.map", "map.txt", "map.png", "map.pgm"])
 def test_saves_and_loads(tmp_path: pathlib.Path, name: str) -> None:
     cells = CELLS

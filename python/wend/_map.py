@@ -49,11 +49,12 @@ class Map:
     (5, 3, 0.05)
     """
 
-    __slots__ = ("_array", "_inner", "_costs")
+    __slots__ = ("_array", "_inner", "_costs", "_notes")
 
     _inner: _core.Map
     _array: npt.NDArray[np.int8] | None
     _costs: npt.NDArray[np.float64] | None
+    _notes: tuple[str, ...]
 
     @named_types
     def __init__(
@@ -72,19 +73,22 @@ class Map:
         self._inner = _core.make_map(numbers, metres, place, values, y_up)
         self._array = None
         self._costs = None
+        self._notes = ()
 
     @classmethod
-    def _of(cls, core: _core.Map) -> Map:
+    def _of(cls, core: _core.Map, notes: Sequence[str] = ()) -> Map:
         self = cls.__new__(cls)
         self._inner = core
         self._array = None
         self._costs = None
+        self._notes = tuple(notes)
         return self
 
     @classmethod
     @named_types
     def load(cls, file: str | os.PathLike[str], resolution: float | None = None) -> Map:
-        """Reads a ROS ``map.yaml``, a MovingAI ``.map``, a text grid (``.txt``) or an image (``.png``, ``.pgm``).
+        """Reads a ROS ``map.yaml``, a MovingAI ``.map``, a text grid (``.txt``) or an image (``.png``, ``.pgm``,
+        ``.bmp``, ``.jpg``). ``Map.notes`` has what is legal in the file, but unusual or probably not meant.
 
         :param resolution: metres a cell, for an image alone.
         :raises wend.Error: ``invalid_file``, with the file, the line and what is wrong there.
@@ -95,7 +99,7 @@ class Map:
         >>> Map.load(file).array.tolist()
         [[0, 0, 1], [0, 0, 0]]
         """
-        return cls._of(_core.load_map(os.fspath(file), resolution))
+        return cls._of(*_core.load_map(os.fspath(file), resolution))
 
     @classmethod
     @named_types
@@ -191,11 +195,11 @@ class Map:
             if kind != "keepout":
                 message = "kind is for files: of a map, the costs count, which are 100 / percent for speed limits"
                 raise InvalidArgument(message, "invalid_option", "kind")
-            core = mask._inner
+            core, notes = mask._inner, list(mask._notes)
         else:
             top = None if top_speed is None else float(top_speed)
-            core = _core.load_mask(os.fspath(mask), kind, base, multiplier, top)
-        return Map._of(_core.masked(self._inner, core))
+            core, notes = _core.load_mask(os.fspath(mask), kind, base, multiplier, top)
+        return Map._of(_core.masked(self._inner, core), [*self._notes, *notes])
 
     @named_types
     def with_costs(self, costs: Costs | None) -> Map:
@@ -259,6 +263,12 @@ class Map:
     def resolution(self) -> float:
         """Metres a cell; 1 for a map without one."""
         return self._inner.resolution
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is legal in the file of a loaded map and of its masks, but unusual or probably not meant: a sentence
+        each. Empty for other maps."""
+        return self._notes
 
     @property
     def origin(self) -> tuple[float, float, float]:

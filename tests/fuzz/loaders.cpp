@@ -35,6 +35,14 @@ std::string fuzz_pnm(std::string_view bytes) {
   return looks_like_pnm(bytes) ? check_image(whole_image(bytes, decode_pnm)) : "";
 }
 
+std::string fuzz_bmp(std::string_view bytes) {
+  return looks_like_bmp(bytes) ? check_image(whole_image(bytes, decode_bmp)) : "";
+}
+
+std::string fuzz_jpeg(std::string_view bytes) {
+  return looks_like_jpeg(bytes) ? check_image(whole_image(bytes, decode_jpeg)) : "";
+}
+
 std::string fuzz_moving_ai_map(std::string_view bytes) {
   return check_map(load_as(MapFormat::moving_ai_map, bytes));
 }
@@ -184,6 +192,8 @@ constexpr std::array kLoaders{
     Loader{"mask_spec", fuzz_mask_spec},
     Loader{"png", fuzz_png},
     Loader{"pnm", fuzz_pnm},
+    Loader{"bmp", fuzz_bmp},
+    Loader{"jpeg", fuzz_jpeg},
     Loader{"moving_ai_map", fuzz_moving_ai_map},
     Loader{"text_grid", fuzz_text_grid},
     Loader{"scenario", fuzz_scenario},

@@ -60,7 +60,7 @@ wend_status wend_mask_load(const char* mask, wend_map** map, wend_error* error) 
     if (!spec) return failed(spec.error());
     auto loaded = wend::load_mask(spec->file, spec->reading);
     if (!loaded) return failed(std::move(loaded.error()));
-    return std::make_unique<wend_map>(std::move(loaded->map));
+    return std::make_unique<wend_map>(std::move(loaded->map), std::move(loaded->notes));
   });
 }
 

@@ -112,7 +112,7 @@ MapResult make_map(Bytes cells, int width, int height, const wend_map_options& o
 
 MapResult loaded_map(Expected<LoadedMap, Error> loaded) {
   if (!loaded) return failed(std::move(loaded.error()));
-  return std::make_unique<wend_map>(std::move(loaded->map));
+  return std::make_unique<wend_map>(std::move(loaded->map), std::move(loaded->notes));
 }
 
 }  // namespace
@@ -175,6 +175,12 @@ wend_status wend_map_origin(const wend_map* map, wend_pose* origin, wend_error* 
     *origin = {x, y, heading};
     return {};
   });
+}
+
+size_t wend_map_note_count(const wend_map* map) { return map == nullptr ? 0 : map->notes.size(); }
+
+const char* wend_map_note(const wend_map* map, size_t index) {
+  return index < wend_map_note_count(map) ? map->notes[index].c_str() : nullptr;
 }
 
 void wend_map_free(wend_map* map) { delete map; }

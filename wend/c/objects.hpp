@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "wend/analysis/cost_to_go.hpp"
@@ -19,6 +20,7 @@
 
 struct wend_map {
   wend::GridMap map;
+  std::vector<std::string> notes = {};  // on the file that it was loaded from
 };
 
 struct wend_robot {

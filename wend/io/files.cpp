@@ -2,12 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <new>
+#include <optional>
 #include <span>
 #include <system_error>
 
@@ -60,21 +63,69 @@ std::string write_bytes(int descriptor, std::string_view bytes) {
   return {};
 }
 
+/// For a device, a pipe or the like.
 std::string write_bytes(const fs::path& file, std::string_view bytes) {
-  Descriptor open_file(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  Descriptor open_file(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
   if (!open_file.is_open()) return cannot_be_written(errno);
   std::string wrong = write_bytes(open_file.number(), bytes);
   if (!open_file.close() && wrong.empty()) wrong = cannot_be_written(errno);
   return wrong;
 }
 
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// A name beside the target that nobody can guess: somebody else could put a link there.
+Expected<fs::path, std::string> temporary_name(const fs::path& target) {
+  std::uint64_t number = 0;
+  if (::getrandom(&number, sizeof number, 0) != sizeof number) {
+    return Unexpected<std::string>(cannot_be_written(errno));
+  }
+  return fs::path(fmt::format("{}.{:016x}.part", target.string(), number));
+}
+
+/// Who may read the file that is replaced, and whose it is.
+struct Access {
+  std::optional<struct stat> replaced;
+
+  /// As open() takes it, which subtracts the umask; a file that is replaced is never open to more than before.
+  mode_t mode() const { return replaced ? replaced->st_mode & 0777U : 0666U; }
+
+  /// Gives a new file the owner, if that is allowed, and the permissions of the replaced one.
+  bool give_to(int descriptor) const {
+    if (!replaced) return true;
+    const bool owned = ::fchown(descriptor, replaced->st_uid, replaced->st_gid) == 0 ||
+                       ::fchown(descriptor, static_cast<uid_t>(-1), replaced->st_gid) == 0;
+    // Without its group, the permissions of the group would be for others.
+    const mode_t allowed = owned ? 0777U : 0707U;
+    return ::fchmod(descriptor, replaced->st_mode & allowed) == 0;
+  }
+};
+
+Access access_of(const fs::path& target) {
+  struct stat status{};
+  return {::stat(target.c_str(), &status) == 0 ? std::optional(status) : std::nullopt};
+}
+
+/// Writes the bytes to the disk: a file gets its name only then, so that it is complete also after a loss of power.
+/// Returns an error, empty on success.
+std::string fill(int descriptor, std::string_view bytes, const Access& access) {
+  std::string wrong = write_bytes(descriptor, bytes);
+  if (!wrong.empty()) return wrong;
+  if (!access.give_to(descriptor)) return cannot_be_written(errno);
+  const bool kept = ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS;
+  return kept ? std::string() : cannot_be_written(errno);
+}
+
 /// Writes a file that gets its name only when it is complete, so that nothing remains if the program is
 /// killed before. False if the file system does not support files without a name.
-bool write_unnamed(const fs::path& file, std::string_view bytes, std::string& wrong) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  const Descriptor open_file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+bool write_unnamed(const fs::path& file, std::string_view bytes, const Access& access,
+                   std::string& wrong) {
+  const Descriptor open_file(
+      ::open(folder_of(file).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, access.mode()));
   if (!open_file.is_open()) return false;
-  wrong = write_bytes(open_file.number(), bytes);
+  wrong = fill(open_file.number(), bytes, access);
   const std::string unnamed = fmt::format("/proc/self/fd/{}", open_file.number());
   return !wrong.empty() ||
          ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, file.c_str(), AT_SYMLINK_FOLLOW) == 0;
@@ -92,26 +143,50 @@ std::string read_bytes(int descriptor, std::span<std::byte> room) {
   return {};
 }
 
-/// The file itself, at the end of symbolic links.
-fs::path target_of(const fs::path& file) {
+/// The same with a name from the beginning, of a file that does not exist yet.
+std::string write_named(const fs::path& file, std::string_view bytes, const Access& access) {
+  Descriptor open_file(
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, access.mode()));
+  if (!open_file.is_open()) return cannot_be_written(errno);
+  std::string wrong = fill(open_file.number(), bytes, access);
+  if (!open_file.close() && wrong.empty()) wrong = cannot_be_written(errno);
+  if (!wrong.empty()) ::unlink(file.c_str());
+  return wrong;
+}
+
+/// The file itself, at the end of symbolic links; it does not have to exist.
+fs::path target_of(fs::path file) {
+  constexpr int kMostLinks = 40;  // as Linux has it; with more, writing fails
   std::error_code error;
-  if (!fs::is_symlink(fs::symlink_status(file, error))) return file;
-  const fs::path target = fs::canonical(file, error);
-  return error ? file : target;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(file, error)); ++i) {
+    file = file.parent_path() / fs::read_symlink(file, error);
+  }
+  return file;
+}
+
+/// So that the new name is on the disk, too. Some file systems cannot do this; the file is complete either way.
+void keep_names(const fs::path& folder) {
+  const Descriptor open_folder(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (open_folder.is_open()) ::fsync(open_folder.number());
 }
 
 /// Writes a temporary file and gives it the name of the target, or removes it.
 std::string replace_file(const fs::path& target, std::string_view bytes) {
-  const fs::path temporary = fmt::format("{}.{}.part", target.string(), getpid());
+  const auto temporary = temporary_name(target);
+  if (!temporary) return temporary.error();
+  const Access access = access_of(target);
   std::string wrong;
-  if (!write_unnamed(temporary, bytes, wrong)) wrong = write_bytes(temporary, bytes);
+  if (!write_unnamed(*temporary, bytes, access, wrong))
+    wrong = write_named(*temporary, bytes, access);
+  if (!wrong.empty()) return wrong;
   std::error_code error;
-  if (wrong.empty()) {
-    fs::rename(temporary, target, error);
-    if (!error) return {};
-    wrong = "cannot be written: " + error.message();
+  fs::rename(*temporary, target, error);
+  if (!error) {
+    keep_names(folder_of(target));
+    return {};
   }
-  fs::remove(temporary, error);
+  wrong = "cannot be written: " + error.message();
+  fs::remove(*temporary, error);
   return wrong;
 }
 
@@ -199,6 +274,7 @@ Expected<void, Error> write_file(const fs::path& file, std::string_view bytes) {
   const fs::path target = target_of(file);
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
+  if (!fs::status_known(status)) return failure_of(file, "cannot be written: " + error.message());
   const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
   const std::string wrong = is_device ? write_bytes(target, bytes) : replace_file(target, bytes);
   if (!wrong.empty()) return failure_of(file, wrong);

@@ -70,10 +70,11 @@ WEND_API std::string stream_name(const std::filesystem::path& file);
 WEND_API Expected<std::string, Error> read_stream(const std::filesystem::path& file,
                                                   std::size_t largest = kLargestFile);
 
-/// Writes a file atomically: the bytes go into a temporary file beside it, which then takes its name. If
-/// writing fails, or the program is ended meanwhile by Ctrl-C or kill, the old file stays: on Linux the
-/// temporary file has no name until it is complete (O_TMPFILE), if the file system allows that. A
-/// symbolic link stays one: its target is replaced. A file that is not regular (a pipe, /dev/stdout) is
+/// Writes a file atomically: the bytes go into a temporary file beside it, which takes its name when they are on the
+/// disk. If writing fails, or the program is ended meanwhile by Ctrl-C, kill or a loss of power, the old file stays: on
+/// Linux the temporary file has no name until it is complete (O_TMPFILE), if the file system allows that, and then one
+/// that cannot be guessed. The new file has the permissions of the old one, and its owner where that is allowed. A
+/// symbolic link stays one: its target is replaced, or made. A file that is not regular (a pipe, /dev/stdout) is
 /// written directly.
 WEND_API Expected<void, Error> write_file(const std::filesystem::path& file,
                                           std::string_view bytes);

@@ -194,6 +194,43 @@ TEST(WriteFile, ReplacesTheTargetOfASymbolicLink) {
   EXPECT_EQ(bytes_of(folder / "target"), "new");
 }
 
+TEST(WriteFile, MakesTheTargetOfASymbolicLinkThatHasNone) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "there");
+  fs::create_symlink("there/second", folder / "first");
+  fs::create_symlink("made", folder / "there/second");
+  ASSERT_TRUE(write_file(folder / "first", "new"));
+  EXPECT_TRUE(fs::is_symlink(folder / "first"));
+  EXPECT_EQ(read_file(folder / "there/made"), "new");
+  fs::create_symlink("loop", folder / "loop");
+  EXPECT_FALSE(write_file(folder / "loop", "new"));
+  EXPECT_TRUE(fs::is_symlink(folder / "loop"));
+}
+
+TEST(WriteFile, KeepsThePermissionsOfTheFileThatItReplaces) {
+  const TemporaryFolder folder;
+  for (const auto mode : {0600U, 0640U, 0444U, 0755U, 0666U}) {
+    const auto file = folder.write("file", "old");
+    const auto permissions = static_cast<fs::perms>(mode);
+    fs::permissions(file, permissions);
+    ASSERT_TRUE(write_file(file, "new"));
+    EXPECT_EQ(fs::status(file).permissions(), permissions);
+    EXPECT_EQ(read_file(file), "new");
+    fs::remove(file);
+  }
+}
+
+TEST(WriteFile, FollowsNoLinkThatSomebodyPutWhereATemporaryFileMayBe) {
+  const TemporaryFolder folder;
+  const auto victim = folder.write("victim", "precious");
+  const std::string old_name = "file." + std::to_string(getpid()) + ".part";
+  fs::create_symlink(victim, folder / old_name);
+  ASSERT_TRUE(write_file(folder / "file", "new"));
+  EXPECT_EQ(read_file(victim), "precious");
+  EXPECT_FALSE(fs::is_symlink(folder / "file"));
+  EXPECT_EQ(read_file(folder / "file"), "new");
+}
+
 TEST(WriteFile, WritesADeviceStraight) {
   ASSERT_TRUE(write_file("/dev/null", "x"));
   EXPECT_TRUE(fs::is_character_file("/dev/null"));

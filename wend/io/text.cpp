@@ -40,6 +40,15 @@ bool is_character(std::string_view bytes) {
   return bytes.size() != 4 || (code >= 0x10000 && code <= 0x10FFFF);
 }
 
+/// The number of bytes of the character that a text begins with; 0 if it is not UTF-8, or a control character other
+/// than tab and line ends.
+std::size_t leading_text(std::string_view text) {
+  const unsigned lead = byte_of(text[0]);
+  const std::size_t length = length_of_character(lead);
+  if (length == 0 || length > text.size() || is_control(lead)) return 0;
+  return length == 1 || is_character(text.substr(0, length)) ? length : 0;
+}
+
 }  // namespace
 
 std::string lower_case(std::string text) {
@@ -87,10 +96,8 @@ std::string either_of(const std::vector<std::string>& names) {
 std::optional<std::size_t> first_non_text(std::string_view bytes) {
   std::size_t at = 0;
   while (at < bytes.size()) {
-    const unsigned lead = byte_of(bytes[at]);
-    const std::size_t length = length_of_character(lead);
-    if (length == 0 || length > bytes.size() - at || is_control(lead)) return at;
-    if (length > 1 && !is_character(bytes.substr(at, length))) return at;
+    const std::size_t length = leading_text(bytes.substr(at));
+    if (length == 0) return at;
     at += length;
   }
   return std::nullopt;
@@ -131,6 +138,20 @@ std::string text_line(std::string_view text, std::size_t longest) {
   };
   std::ranges::replace_if(line, breaks_line, ' ');
   return line;
+}
+
+std::string visible(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t length = leading_text(text);
+    // U+0080 to U+009F are control characters, too.
+    const bool control =
+        text[0] == '\r' || (length == 2 && text[0] == '\xC2' && byte_of(text[1]) < 0xA0);
+    const std::size_t count = std::max<std::size_t>(length, 1);
+    shown += length == 0 || control ? printable(text, count) : std::string(text.substr(0, count));
+    text.remove_prefix(count);
+  }
+  return shown;
 }
 
 std::optional<std::string_view> LineReader::next() {

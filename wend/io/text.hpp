@@ -58,6 +58,10 @@ WEND_API std::string printable(std::string_view text, std::size_t longest);
 /// them, so that the result has at most `longest` bytes.
 WEND_API std::string text_line(std::string_view text, std::size_t longest);
 
+/// The text as a terminal may show it: bytes that are not UTF-8, and control characters other than tab and line feed, as
+/// `\xNN`. Names come from other people, and such characters can move the cursor or do worse.
+WEND_API std::string visible(std::string_view text);
+
 /// The lines of a text, one after the other, with LF or CRLF line ends. A byte-order mark at the
 /// beginning is skipped.
 ///

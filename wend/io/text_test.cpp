@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
 #include <string>
 
 namespace wend {
@@ -125,6 +126,32 @@ TEST(FirstNonText, FindsWhatIsNotUtf8) {
   EXPECT_EQ(first_non_text("\xF0\x80\x80\xAF"), 0U);  // overlong
   EXPECT_EQ(first_non_text("\xED\xA0\x80"), 0U);      // a surrogate
   EXPECT_EQ(first_non_text("\xF4\x90\x80\x80"), 0U);  // above U+10FFFF
+}
+
+TEST(Visible, ShowsWhatATerminalWouldObey) {
+  EXPECT_EQ(visible("plain, Käse, 木, 🤖\n\ttab"), "plain, Käse, 木, 🤖\n\ttab");
+  EXPECT_EQ(visible("\x1b]0;title\x07"), "\\x1B]0;title\\x07");
+  EXPECT_EQ(visible("a\rb\x7f"), "a\\x0Db\\x7F");
+  EXPECT_EQ(visible("\xC2\x9B"
+                    "2J"),
+            "\\xC2\\x9B2J")
+      << "CSI as one character";
+  EXPECT_EQ(visible("\xC2\xA0"), "\xC2\xA0");
+  EXPECT_EQ(visible("\xFF\xC3"), "\\xFF\\xC3") << "not UTF-8";
+  EXPECT_EQ(visible(""), "");
+}
+
+TEST(Visible, NoByteOfAnyTextIsAControlCharacter) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 2000; ++round) {
+    std::string bytes;
+    for (int i = 0; i < 20; ++i) bytes += static_cast<char>(random() % 256);
+    const std::string shown = visible(bytes);
+    for (const char letter : shown) {
+      ASSERT_TRUE(static_cast<unsigned char>(letter) >= ' ' || letter == '\t' || letter == '\n');
+    }
+    ASSERT_EQ(visible(shown), shown);
+  }
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ void bind(SmootherChoice& choice, double most_distance) {
 
 /// Smooths points of even distances: what smoothing does to a path depends on how far apart they are, not on how it was
 /// given.
-Expected<SmoothingResult, Error> smoothed_evenly(SmootherChoice choice, const Path& path,
+SmoothingResult smoothed_evenly(SmootherChoice choice, const Path& path,
                                                  const FreeSpace& space, Adjacency adjacency,
                                                  std::optional<double> max_distance,
                                                  const Deadline& deadline) {

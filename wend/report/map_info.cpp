@@ -6,6 +6,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/io/text.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend {
@@ -112,7 +113,7 @@ std::string map_info_json(const MapInfo& info) {
 std::string map_info_text(const MapInfo& info) {
   const std::size_t all = info.free + info.occupied + info.unknown;
   const std::string_view unit = info.frame.metric ? " m" : " cells";
-  std::string text = fmt::format("{}: {}\n", info.file, to_string(info.format));
+  std::string text = fmt::format("{}: {}\n", visible(info.file), to_string(info.format));
   const auto line = [&text](std::string_view name, const std::string& what) {
     text += fmt::format("  {:<12}{}\n", name, what);
   };
@@ -139,7 +140,7 @@ std::string map_info_text(const MapInfo& info) {
   }
   line("components", components_text(info));
   line("frame", frame_text(info.frame));
-  for (const std::string& note : info.notes) line("note", note);
+  for (const std::string& note : info.notes) line("note", visible(note));
   return text;
 }
 

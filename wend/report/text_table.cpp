@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "wend/io/text.hpp"
+
 namespace wend {
 namespace {
 
@@ -63,6 +65,7 @@ bool equal(double a, double b) {
 
 void TextTable::add(std::vector<std::string> row) {
   assert(row.size() == columns_.size());
+  for (std::string& field : row) field = visible(field);
   std::vector<std::vector<std::string>> lines{std::move(row)};
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].longest == 0 || width_of(lines[0][i]) <= columns_[i].longest) continue;
@@ -140,9 +143,10 @@ std::vector<bool> best_of(std::span<const double> values, bool more_is_better) {
 }
 
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  const std::string shown = visible(text);
+  if (shown.find_first_of(",\"\n") == std::string::npos) return shown;
   std::string quoted = "\"";
-  for (const char letter : text) {
+  for (const char letter : shown) {
     if (letter == '"') quoted += '"';
     quoted += letter;
   }

@@ -27,7 +27,7 @@ class TextTable {
 
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
-  /// Adds as many fields as there are columns; UTF-8, one terminal column for each character. Beside a
+  /// Adds as many fields as there are columns, as visible() shows them; UTF-8, one terminal column for each character. Beside a
   /// field of several lines, the other fields stand in the first line.
   void add(std::vector<std::string> row);
 
@@ -52,7 +52,7 @@ class TextTable {
 /// to rounding.
 std::vector<bool> best_of(std::span<const double> values, bool more_is_better);
 
-/// A field of CSV, in quotes where it needs them (RFC 4180).
+/// A field of CSV, in quotes where it needs them (RFC 4180), and as visible() shows it.
 std::string csv_field(const std::string& text);
 
 }  // namespace wend

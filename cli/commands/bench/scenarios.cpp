@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/arguments/input_files.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/progress_bar.hpp"
 #include "wend/index/file/index_bytes.hpp"
@@ -62,6 +63,7 @@ BenchScenario load_bench_scenario(const fs::path& file, const std::string& map_f
   const fs::path map_path =
       map_file.empty() ? value_or_throw(scenario_map_path(scenario)) : fs::path(map_file);
   LoadedMap loaded = value_or_throw(load_map(map_path));
+  complain_of_notes(map_path.string(), loaded);
   const auto fits = check_map_size(scenario, loaded.map.width(), loaded.map.height());
   if (!fits) throw InputError(fits.error().message);
   const std::uint64_t fingerprint = fingerprint_of(scenario, loaded.map);

@@ -39,6 +39,7 @@ Stamp stamp_of(const std_msgs::Header& header) { return static_cast<Stamp>(heade
 Masks masks_of(const ros::NodeHandle& own) {
   Masks masks = Masks::of(mask_specs(own));
   for (const std::string& fault : masks.faults()) ROS_ERROR_STREAM("~masks: " << fault);
+  for (const std::string& note : masks.notes()) ROS_WARN_STREAM("~masks: " << note);
   return masks;
 }
 
@@ -68,6 +69,7 @@ void MapFeed::load(const ros::NodeHandle& own) {
     session_.clear_map(loaded.error().message);
     return;
   }
+  for (const std::string& note : loaded->notes) ROS_WARN_STREAM("~map: " << file << ": " << note);
   take_map(to_message(loaded->map, own.param<std::string>("frame_id", "map")));
 }
 

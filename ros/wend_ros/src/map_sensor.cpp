@@ -15,6 +15,7 @@ constexpr const char* kFrame = "map";
 wend::Expected<wend::GridMap, std::string> load(const std::string& file) {
   const auto loaded = wend::load_map(file);
   if (!loaded) return wend::Unexpected<std::string>(loaded.error().message);
+  for (const std::string& note : loaded->notes) ROS_WARN_STREAM(file << ": " << note);
   return *map_from(to_message(loaded->map, kFrame),
                    {.occupied_from = kOccupiedValue, .rough = true});
 }

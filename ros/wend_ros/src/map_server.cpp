@@ -26,7 +26,7 @@ class MapServer {
   std::string load(const std::string& file) {
     const auto loaded = wend::load_map(file);
     if (!loaded) return loaded.error().message;
-    for (const std::string& note : loaded->notes) ROS_WARN_STREAM(note);
+    for (const std::string& note : loaded->notes) ROS_WARN_STREAM(file << ": " << note);
     message_ = wend_ros::to_message(loaded->map, frame_id_);
     message_.header.stamp = ros::Time::now();
     message_.info.map_load_time = message_.header.stamp;

@@ -8,12 +8,10 @@
 namespace wend_ros {
 namespace {
 
-wend::Expected<wend::GridMap, wend::Error> loaded(const std::string& text) {
+wend::Expected<wend::LoadedMap, wend::Error> loaded(const std::string& text) {
   const auto spec = wend::parse_mask_spec(text);
   if (!spec) return wend::Unexpected<wend::Error>(spec.error());
-  auto mask = wend::load_mask(spec->file, spec->reading);
-  if (!mask) return wend::Unexpected<wend::Error>(std::move(mask.error()));
-  return std::move(mask->map);
+  return wend::load_mask(spec->file, spec->reading);
 }
 
 wend::Unexpected<wend::Error> failed(const std::string& spec, wend::Error error) {
@@ -25,7 +23,14 @@ wend::Unexpected<wend::Error> failed(const std::string& spec, wend::Error error)
 
 Masks Masks::of(const std::vector<std::string>& specs) {
   Masks masks;
-  for (const std::string& spec : specs) masks.masks_.push_back({spec, loaded(spec)});
+  for (const std::string& spec : specs) {
+    auto mask = loaded(spec);
+    if (mask) {
+      masks.masks_.push_back({spec, std::move(mask->map), std::move(mask->notes)});
+    } else {
+      masks.masks_.push_back({spec, wend::Unexpected<wend::Error>(std::move(mask.error())), {}});
+    }
+  }
   return masks;
 }
 
@@ -35,6 +40,14 @@ std::vector<std::string> Masks::faults() const {
     if (!mask.map) faults.push_back("mask " + mask.spec + ": " + mask.map.error().message);
   }
   return faults;
+}
+
+std::vector<std::string> Masks::notes() const {
+  std::vector<std::string> notes;
+  for (const Mask& mask : masks_) {
+    for (const std::string& note : mask.notes) notes.push_back("mask " + mask.spec + ": " + note);
+  }
+  return notes;
 }
 
 wend::Expected<wend::GridMap, wend::Error> Masks::lay_over(wend::GridMap map) {

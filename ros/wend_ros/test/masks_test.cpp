@@ -39,6 +39,12 @@ TEST(Masks, LieOverEveryMapAndItsEdits) {
   EXPECT_EQ(map->terrain({2, 1}), 3);
 }
 
+TEST(Masks, SayWhatIsProbablyNotMeant) {
+  const Masks masks = Masks::of({"keepout:" + written_mask("grey", "trinary", "255 0 205 255")});
+  ASSERT_EQ(masks.notes().size(), 1U);
+  EXPECT_NE(masks.notes().front().find("grey 205"), std::string::npos);
+}
+
 TEST(Masks, ThatAreNoneChangeNothing) {
   Masks masks;
   EXPECT_TRUE(masks.empty());

@@ -51,8 +51,8 @@ inline std::uint16_t luma(unsigned red, unsigned green, unsigned blue) {
 /// Whether the bytes begin like an image, of a format that wend reads or rejects by name.
 bool looks_like_image(std::string_view bytes);
 
-/// Decodes a PNG or PNM file; its first bytes tell the format. An error says what is wrong, and names
-/// formats that are known but not supported (JPEG, BMP, ...). On an error, `rows` may already have
+/// Decodes a PNG, PNM, BMP or JPEG file; its first bytes tell the format. An error says what is wrong, and
+/// names formats that are known but not supported (TIFF, WebP, ...). On an error, `rows` may already have
 /// received some rows.
 DecodedRows decode_image(std::string_view bytes, ImageRows& rows);
 
@@ -84,5 +84,23 @@ DecodedRows decode_pnm(std::string_view bytes, ImageRows& rows);
 
 /// A binary PGM (P5) of an image with a maximum of 255, without its transparency.
 std::string encode_pgm(const GreyImage& image);
+
+// BMP, through stb_image: palettes of 1, 4 and 8 bits, and 16, 24 and 32 bits, not compressed. A palette index
+// without an entry is an error.
+
+/// Whether the bytes begin with BM.
+bool looks_like_bmp(std::string_view bytes);
+
+/// If the file is too short for its image size, it is rejected before anything is allocated.
+DecodedRows decode_bmp(std::string_view bytes, ImageRows& rows);
+
+// JPEG, through libjpeg: grey and colour, also progressive. Strict: damaged data is an error. Every image gets a note,
+// because JPEG does not keep grey values exactly.
+
+/// Whether the bytes begin with the JPEG signature.
+bool looks_like_jpeg(std::string_view bytes);
+
+/// If the file is too short for its image size, it is rejected before the image is allocated.
+DecodedRows decode_jpeg(std::string_view bytes, ImageRows& rows);
 
 }  // namespace wend

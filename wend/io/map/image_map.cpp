@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "wend/io/map/doubts.hpp"
 #include "wend/io/map/map_format.hpp"
 
 namespace wend {
@@ -45,6 +46,7 @@ Expected<LoadedMap, Error> load_bare_image(const std::string& bytes, const MapSo
                     .metric = options.resolution.has_value()};
   auto map = rows.finish(frame);
   if (!map) return file_failure(source.file, 0, map.error().message);
+  for (std::string& doubt : doubts_about(rows, {}, *map)) notes->push_back(std::move(doubt));
   return LoadedMap{*std::move(map), MapFormat::image_map, *std::move(notes)};
 }
 
@@ -78,6 +80,7 @@ ImageMapRows::PixelMeaning ImageMapRows::meaning_of(int value, int maximum) cons
 }
 
 void ImageMapRows::begin(int width, int /*height*/, int maximum) {
+  greys_.maximum = maximum;
   for (int value = 0; value <= maximum; ++value) {
     table_.push_back(meaning_of(value, maximum));
     state_table_.push_back(table_.back().state);
@@ -87,11 +90,28 @@ void ImageMapRows::begin(int width, int /*height*/, int maximum) {
   if (meaning_.mode != ImageMode::trinary) terrain_.resize(states_.size());
 }
 
+void ImageMapRows::look_at(std::span<const std::uint16_t> values) {
+  // No value is above 65535, so this one stands for a grey that the image cannot have.
+  const bool has_grey = greys_.maximum % 255 == 0;
+  const int grey = has_grey ? kSavedUnknown * (greys_.maximum / 255) : 65536;
+  int darkest = greys_.darkest;
+  int brightest = greys_.brightest;
+  std::size_t count = 0;
+  for (const int value : values) {
+    darkest = std::min(darkest, value);
+    brightest = std::max(brightest, value);
+    count += value == grey ? 1U : 0U;
+  }
+  greys_.darkest = darkest;
+  greys_.brightest = brightest;
+  greys_.saved_unknown += count;
+}
+
 void ImageMapRows::add(std::span<const std::uint16_t> values,
                        std::span<const unsigned char> transparent) {
   const std::span<CellState> states = states_;
-  const std::span<const CellState> state_of = state_table_;
-  for (std::size_t x = 0; x < values.size(); ++x) states[x] = state_of[values[x]];
+  const std::span<const CellState> state_table = state_table_;
+  for (std::size_t x = 0; x < values.size(); ++x) states[x] = state_table[values[x]];
   for (std::size_t x = 0; x < terrain_.size(); ++x) terrain_[x] = table_[values[x]].terrain;
   if (meaning_.mode != ImageMode::raw) {
     for (std::size_t x = 0; x < transparent.size(); ++x) {
@@ -100,6 +120,7 @@ void ImageMapRows::add(std::span<const std::uint16_t> values,
       if (!terrain_.empty()) terrain_[x] = 1;
     }
   }
+  look_at(values);
   assert(rows_);  // begin() comes first
   rows_->append(states_, terrain_);
 }
@@ -107,7 +128,7 @@ void ImageMapRows::add(std::span<const std::uint16_t> values,
 GreyImage trinary_image(const GridMap& map) {
   return image_of(map, [&](Cell cell) -> std::uint16_t {
     if (map.occupied()[cell]) return 0;
-    return map.unknown()[cell] ? 205 : 254;
+    return map.unknown()[cell] ? kSavedUnknown : 254;
   });
 }
 
@@ -131,7 +152,7 @@ MapFormatInfo image_map_format() {
   return {.format = MapFormat::image_map,
           .name = "image",
           .noun = "an image",
-          .extensions = {".png", ".pgm", ".pbm", ".ppm", ".pnm"},
+          .extensions = {".png", ".pgm", ".pbm", ".ppm", ".pnm", ".bmp", ".jpg", ".jpeg"},
           .saved_extensions = {".png", ".pgm", ".pnm"},
           .recognises = looks_like_image,
           .load_bytes = load_bare_image,

@@ -15,6 +15,7 @@
 // scale mode a pixel that is not fully opaque is unknown.
 
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -41,6 +42,17 @@ struct ImageMeaning {
 /// The cost of a unit of length in a cell with the value v, 0..100.
 inline double scaled_terrain(double scale_factor, int v) { return 1 + scale_factor * v / 100; }
 
+/// The grey that map savers write for unknown cells, of 255.
+inline constexpr int kSavedUnknown = 205;
+
+/// The grey values of an image.
+struct GreyRange {
+  int maximum = 255;              // the value of white
+  int darkest = 65535;            // the least value in it
+  int brightest = 0;              // the greatest value in it
+  std::size_t saved_unknown = 0;  // pixels of the grey kSavedUnknown
+};
+
 /// Makes the map of an image that is decoded row by row.
 class ImageMapRows final : public ImageRows {
  public:
@@ -49,6 +61,12 @@ class ImageMapRows final : public ImageRows {
   void begin(int width, int height, int maximum) override;
   void add(std::span<const std::uint16_t> values,
            std::span<const unsigned char> transparent) override;
+
+  /// The state of a cell of this grey value. To be called after begin().
+  CellState state_of(int value) const { return state_table_[static_cast<std::size_t>(value)]; }
+
+  /// Of the rows so far.
+  const GreyRange& greys() const { return greys_; }
 
   /// To be called after the last row. In a frame with y up, row 0 is the image's bottom row.
   Expected<GridMap, Error> finish(const Frame& frame) {
@@ -64,8 +82,10 @@ class ImageMapRows final : public ImageRows {
 
   static PixelMeaning raw_meaning(double shade, double scale_factor);
   PixelMeaning meaning_of(int value, int maximum) const;
+  void look_at(std::span<const std::uint16_t> values);
 
   ImageMeaning meaning_;
+  GreyRange greys_;
   std::vector<PixelMeaning> table_;     // by value
   std::vector<CellState> state_table_;  // the same states, closer together
   std::optional<GridMapBuilder> rows_;

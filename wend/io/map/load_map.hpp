@@ -7,6 +7,7 @@
 //   MovingAI      *.map                     down  cells
 //   text grid     *.txt *.grid              down  cells
 //   bare image    *.png *.pgm *.pbm *.ppm   down  cells, or metres where a resolution is given
+//                 *.bmp *.jpg *.jpeg
 //
 // The name decides. For other names, the beginning of the file tells the format: a text grid has only
 // letters of cells in its first line. Every loader returns a map, or an error with the file, the line and

@@ -64,11 +64,13 @@ TEST_F(LoadMap, NamesWhatItReadsWhenItReadsNothing) {
       error_of(load_map(folder_.write("m.scen", "version 1\n"))),
       EndsWith("m.scen: unknown map format; expected a ROS map.yaml (.yaml, .yml), a MovingAI "
                "map (.map), a text grid (.txt, .grid) or an image (.png, .pgm, .pbm, .ppm, "
-               ".pnm)"));
+               ".pnm, .bmp, .jpg, .jpeg)"));
   EXPECT_THAT(error_of(load_map(folder_.write("nothing", ""))),
               EndsWith("nothing: the file is empty; expected a map"));
   EXPECT_THAT(error_of(load_map(folder_.write("m.bmp", "BM123456"))),
-              EndsWith("m.bmp: BMP images are not supported; expected PNG or PNM (P1 to P6)"));
+              EndsWith("m.bmp: BMP: the file is truncated"));
+  EXPECT_THAT(error_of(load_map(folder_.write("m.jpg", "II*\n    "))),
+              EndsWith("m.jpg: unknown image format; expected PNG, PNM (P1 to P6), BMP or JPEG"));
 }
 
 TEST_F(LoadMap, ErrorsNameFileAndLine) {

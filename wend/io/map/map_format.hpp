@@ -30,8 +30,9 @@ enum class MapFormat {
 struct LoadedMap {
   GridMap map;                          // its cells, terrain and frame
   MapFormat format;                     // of the file
-  std::vector<std::string> notes = {};  // what was unusual in the file, and how it was read
+  std::vector<std::string> notes = {};  // what is unusual or probably not meant in the file
   std::vector<std::filesystem::path> files = {};  // files read: the map, and a map.yaml's image
+  std::string image_note = {};  // the one of the notes that says where the image was found instead
 };
 
 /// What a file does not say about its map.

@@ -13,6 +13,8 @@
 #include "wend/base/parse.hpp"
 #include "wend/io/files.hpp"
 #include "wend/io/image/grey_image.hpp"
+#include "wend/io/map/doubts.hpp"
+#include "wend/io/map/image_file.hpp"
 
 namespace wend {
 namespace {
@@ -286,7 +288,9 @@ Expected<LoadedMap, Error> load_map_yaml(const std::string& text, const MapSourc
   if (!yaml) return Unexpected<Error>(yaml.error());
   yaml->meaning.scale_factor = options.scale_factor;
 
-  const std::filesystem::path image_file = source.folder / yaml->image;
+  const auto image = find_image(yaml->image.string(), source);
+  if (!image) return Unexpected<Error>(image.error());
+  const std::filesystem::path& image_file = image->file;
   const auto bytes = read_file(image_file);
   if (!bytes) return file_failure(source.file, 0, "image " + bytes.error().message);
   ImageMapRows rows(yaml->meaning);
@@ -298,7 +302,12 @@ Expected<LoadedMap, Error> load_map_yaml(const std::string& text, const MapSourc
   auto map = rows.finish(yaml->frame);
   if (!map) return file_failure(source.file, 0, map.error().message);
   LoadedMap loaded{*std::move(map), MapFormat::map_yaml, std::move(yaml->notes), {image_file}};
-  loaded.notes.insert(loaded.notes.end(), notes->begin(), notes->end());
+  loaded.image_note = image->note;
+  if (!image->note.empty()) loaded.notes.push_back(image->note);
+  for (const auto& more :
+       {*notes, doubts_about(yaml->frame), doubts_about(rows, yaml->meaning, loaded.map)}) {
+    loaded.notes.insert(loaded.notes.end(), more.begin(), more.end());
+  }
   return loaded;
 }
 

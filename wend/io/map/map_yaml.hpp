@@ -3,7 +3,8 @@
 // ROS `map.yaml` files: an image, and how to read it as a map.
 //
 //   key              value                                                        without it
-//   image            path of a PNG or PNM file, seen from the yaml's folder       error
+//   image            path of a PNG, PNM, BMP or JPEG file, seen from the yaml's   error
+//                    folder (image_file.hpp: where else it is looked for)
 //   resolution       metres a cell, > 0                                           error
 //   origin           [x, y, yaw] of the lower-left corner of the lower-left       error
 //                    cell: metres, and radians counter-clockwise
@@ -41,8 +42,8 @@ struct MapYaml {
 /// `file` is the name for errors.
 Expected<MapYaml, Error> parse_map_yaml(const std::string& text, const std::string& file);
 
-/// The map that a text describes. Also reads its image, from the source's folder if its name is not
-/// absolute. An error about the image names both files.
+/// The map that a text describes. Also reads its image, from where find_image() finds it. An error about the image
+/// names both files.
 Expected<LoadedMap, Error> load_map_yaml(const std::string& text, const MapSource& source,
                                          const LoadOptions& options = {});
 

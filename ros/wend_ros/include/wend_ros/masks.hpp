@@ -28,6 +28,9 @@ class Masks {
   /// Why a mask cannot be read, a line for each that cannot.
   std::vector<std::string> faults() const;
 
+  /// What is unusual or probably not meant in the files of the masks, a line each.
+  std::vector<std::string> notes() const;
+
   /// The map under the masks, or why one of them does not fit. Later edits are those of this map. O(cells).
   wend::Expected<wend::GridMap, wend::Error> lay_over(wend::GridMap map);
 
@@ -38,6 +41,7 @@ class Masks {
   struct Mask {
     std::string spec;
     wend::Expected<wend::GridMap, wend::Error> map;
+    std::vector<std::string> notes;
   };
 
   std::vector<Mask> masks_;
