@@ -35,17 +35,24 @@ bool is_convex(std::span<const Point> corners) {
   return true;
 }
 
-/// Includes the part of an edge with y in [low, high].
-void include_part(const Point& a, const Point& b, double low, double high, Reach& reach) {
-  const auto x_at = [&](double y) { return a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)); };
-  const double bottom = std::min(a.y, b.y);
-  const double top = std::max(a.y, b.y);
-  if (top < low || bottom > high) return;
-  if (a.y >= low && a.y <= high) reach.include(a.x);
-  if (b.y >= low && b.y <= high) reach.include(b.x);
-  if (bottom < low) reach.include(x_at(low));
-  if (top > high) reach.include(x_at(high));
-}
+/// An edge of a shape, from its lower end to its upper one.
+struct Slope {
+  Point low;
+  Point high;
+  double per_row = 0;  // how far it goes to the right on the way up a row
+
+  Slope() = default;
+  Slope(const Point& a, const Point& b) : low(a.y <= b.y ? a : b), high(a.y <= b.y ? b : a) {
+    if (high.y > low.y) per_row = (high.x - low.x) / (high.y - low.y);
+  }
+
+  /// Includes the part with y in [bottom, top].
+  void include_part(double bottom, double top, Reach& reach) const {
+    if (high.y < bottom || low.y > top) return;
+    reach.include(low.y >= bottom ? low.x : low.x + (bottom - low.y) * per_row);
+    reach.include(high.y <= top ? high.x : low.x + (top - low.y) * per_row);
+  }
+};
 
 /// Is any of the cells from `first` to `last`, both on the map, set in a row?
 bool any_set(std::span<const std::uint64_t> words, int first, int last) {
@@ -82,6 +89,10 @@ bool FootprintRows::meet_obstacle(const FreeSpace& space, const Pose& pose, doub
     bottom = std::min(bottom, placed[i].y);
     top = std::max(top, placed[i].y);
   }
+  std::array<Slope, Polygon::kMostCorners> slopes;
+  for (std::size_t i = 0; i < count_; ++i) {
+    slopes[i] = Slope(placed[i], placed[i + 1 == count_ ? 0 : i + 1]);
+  }
   const bool closed = space.outside() == OutsidePolicy::blocked;
   const double grown = margin - kOverlapTolerance;
   const auto first_row = static_cast<int>(std::floor(bottom - grown));
@@ -90,8 +101,7 @@ bool FootprintRows::meet_obstacle(const FreeSpace& space, const Pose& pose, doub
   for (int row = std::max(first_row, 0); row <= std::min(last_row, space.height() - 1); ++row) {
     Reach reach;
     for (std::size_t i = 0; i < count_; ++i) {
-      const Point& next = placed[i + 1 == count_ ? 0 : i + 1];
-      include_part(placed[i], next, row - grown, row + 1 + grown, reach);
+      slopes[i].include_part(row - grown, row + 1 + grown, reach);
     }
     if (reach.low > reach.high) continue;
     const auto first = static_cast<int>(std::floor(reach.low - grown));
