@@ -31,8 +31,10 @@ class PoseFlood {
   /// Expands at most `most` poses. True once no pose is left, however closely it looks.
   bool run(std::uint64_t most);
 
+  /// Has it ended?
+  bool has_ended() const { return closer_ && next_ == poses_.size(); }
   /// Has it ended after few poses?
-  bool is_small() const { return small_; }
+  bool is_small() const { return small_ && has_ended(); }
   /// How closely it looks now.
   const HybridResolution& resolution() const { return resolution_; }
 

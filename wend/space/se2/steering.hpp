@@ -48,7 +48,7 @@ class Steering {
   /// The cost of a motion whose way costs `way`, without changes of gear. O(1).
   double cost(const Motion& motion, double way) const;
 
-  /// The cheapest connections that cost less than `bound`, sorted by cost; returns how many. `gear` is that of the
+  /// The cheapest connections, of a robot that turns in place also by curves if more than two are asked for, that cost less than `bound`, sorted by cost; returns how many. `gear` is that of the
   /// motion before.
   int connect(const Pose& from, const Pose& to, int gear, double bound,
               std::span<Connection> connections) const;
@@ -61,10 +61,13 @@ class Steering {
   int arrivals(const Pose& from, Point to, std::span<double> headings) const;
 
  private:
-  int take(std::span<const Curve> curves, int gear, std::span<Connection> connections) const;
+  /// That of the arcs in the search, of a robot that could drive narrower ones.
+  double arc_radius() const;
+  int take(std::span<const Curve> curves, int gear, int count,
+           std::span<Connection> connections) const;
   int turn_and_drive(const Pose& from, const Pose& to, int gear, double bound,
                      std::span<Connection> connections) const;
-  int slide(const Pose& from, const Pose& to, double bound,
+  int slide(const Pose& from, const Pose& to, int gear, double bound,
             std::span<Connection> connections) const;
   void add_primitive(const Motion& motion) { primitives_[primitive_count_++] = motion; }
 
