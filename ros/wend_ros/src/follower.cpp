@@ -137,7 +137,8 @@ class FollowerNode {
     }
     wend::Route route = *wend_ros::route_through(message);
     const double duration = trajectory->duration();
-    if (driving_ && duration == duration_ && same_route(route, route_)) return;
+    const bool same_frame = message.header.frame_id == frame_id_;
+    if (driving_ && same_frame && duration == duration_ && same_route(route, route_)) return;
     duration_ = duration;
     steering_.tracker->track(*std::move(trajectory));
     follow(std::move(route), message.header);
@@ -154,6 +155,7 @@ class FollowerNode {
 
   /// It begins at the next step, when it is known where the robot and the obstacles are.
   void follow(wend::Route route, const std_msgs::Header& header) {
+    if (header.frame_id != frame_id_) forget_path();  // the same numbers are another path there
     frame_id_ = header.frame_id;
     path_stamp_ = header.stamp.isZero() ? ros::Time::now() : header.stamp;
     route_ = std::move(route);
@@ -276,10 +278,12 @@ class FollowerNode {
     say(halt.state);
   }
 
-  /// Leaves the path: the same one is another drive, which may begin elsewhere.
+  /// When the same path comes again, it is another drive, which may begin elsewhere.
+  void forget_path() { follower_ = wend::Follower(*steering_.controller, limits_, options_); }
+
   void stop(const std::string& state) {
     driving_ = begins_ = false;
-    follower_ = wend::Follower(*steering_.controller, limits_, options_);
+    forget_path();
     command({});
     say(state);
   }

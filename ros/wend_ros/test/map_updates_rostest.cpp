@@ -87,8 +87,10 @@ class MapTopic {
   ros::NodeHandle node_;
   ros::Publisher maps_;
   ros::Publisher updates_;
-  ros::Time stamp_ = ros::Time(1000);
+  static ros::Time stamp_;  // no test goes back behind the one before
 };
+
+ros::Time MapTopic::stamp_ = ros::Time(1000);
 
 class MapUpdates : public testing::Test {
  protected:
