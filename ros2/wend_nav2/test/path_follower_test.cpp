@@ -667,73 +667,77 @@ TEST(PathFollower, DrivesThePathsOfPlannersInAnInflatedCostmap) {
       const auto failure = driver.drive_to(path->back());
       EXPECT_FALSE(failure) << failure->message;
       EXPECT_FALSE(driver.collided);
-      /// How deep the robot's disc is in lethal cells, in metres, over all cells.
-      double depth_of(const Costmap& map, const wend::MapPose& pose) {
-        const double size = map.layout.resolution;
-        double least = HUGE_VAL;
-        for (int y = 0; y < map.layout.height; ++y) {
-          for (int x = 0; x < map.layout.width; ++x) {
-            if (map.at(x, y) != 254) continue;
-            const double dx = std::max({x * size - pose.x, pose.x - (x + 1) * size, 0.0});
-            const double dy = std::max({y * size - pose.y, pose.y - (y + 1) * size, 0.0});
-            least = std::min(least, std::hypot(dx, dy));
-          }
-        }
-        return std::max(0.0, kRadius - least);
-      }
+    }
+  }
+}
 
-      TEST(PathFollower, LeavesAnObstacleThatItTouchesAndNeverGoesDeeper) {
-        for (const std::string& name : wend::controllers().names()) {
-          for (const double way : {0.0, 0.7, -1.2, 3.14159}) {
-            SCOPED_TRACE(name + " towards " + std::to_string(way));
-            Driver driver({}, name);
-            for (int y = 0; y < 60; ++y) driver.map.at(27, y) = 254;  // up to x = 2.8
-            const bool reverse = way > 2;
-            driver.robot.state.pose = {2.88, 3, reverse ? 3.14159 : way};
-            const double to_x = reverse ? 4.5 : 2.88 + 1.5 * std::cos(way);
-            const double to_y = reverse ? 3 : 3 + 1.5 * std::sin(way);
-            const Poses path = along({{2.88, 3}, {to_x, to_y}}, reverse);
-            ASSERT_TRUE(driver.follower.set_path(path));
-            double deepest = depth_of(driver.map, driver.robot.state.pose);
-            EXPECT_NEAR(deepest, 0.02, 1e-9);
-            std::optional<ControlFailure> failure;
-            for (int i = 0; i < 400 && !failure; ++i) {
-              const auto told = driver.step();
-              if (!told) failure = told.error();
-              const double depth = depth_of(driver.map, driver.robot.state.pose);
-              EXPECT_LE(depth, deepest + 1e-3);
-              deepest = std::min(deepest, depth);
-              const wend::MapPose at = driver.on_path();
-              if (distance(at.point(), path.back().point()) < kTolerance) break;
-            }
-            EXPECT_FALSE(failure) << failure->message;
-            EXPECT_EQ(deepest, 0);
-          }
-        }
-      }
+/// How deep the robot's disc is in lethal cells, in metres, over all cells.
+double depth_of(const Costmap& map, const wend::MapPose& pose) {
+  const double size = map.layout.resolution;
+  double least = HUGE_VAL;
+  for (int y = 0; y < map.layout.height; ++y) {
+    for (int x = 0; x < map.layout.width; ++x) {
+      if (map.at(x, y) != 254) continue;
+      const double dx = std::max({x * size - pose.x, pose.x - (x + 1) * size, 0.0});
+      const double dy = std::max({y * size - pose.y, pose.y - (y + 1) * size, 0.0});
+      least = std::min(least, std::hypot(dx, dy));
+    }
+  }
+  return std::max(0.0, kRadius - least);
+}
 
-      TEST(PathFollower, SaysWhenTheRobotDoesNotMove) {
-        Driver driver(wend::OptionValues{{"stuck_time", "1"}});
-        ASSERT_TRUE(driver.follower.set_path(along({{1, 1}, {5, 1}})));
-        driver.follower.costmap().read(driver.map.layout, driver.map.costs);
-        std::optional<ControlFailure> failure;
-        for (int i = 0; i < 100 && !failure; ++i) {
-          const auto told = driver.follower.command({{1, 1, 0}, {1, 1, 0}, {}, kDisc, kPeriod});
-          if (!told) failure = told.error();
-        }
-        ASSERT_TRUE(failure);
-        EXPECT_EQ(failure->kind, ControlFailureKind::no_progress);
-        EXPECT_THAT(failure->message, HasSubstr("at (1, 1)"));
-      }
-
-      TEST(PathFollower, OutsideTheCostmapThereIsNoCommand) {
-        Driver driver;
-        driver.robot.state.pose = {7, 1, 0};
-        ASSERT_TRUE(driver.follower.set_path(along({{7, 1}, {9, 1}})));
+TEST(PathFollower, LeavesAnObstacleThatItTouchesAndNeverGoesDeeper) {
+  for (const std::string& name : wend::controllers().names()) {
+    for (const double way : {0.0, 0.7, -1.2, 3.14159}) {
+      SCOPED_TRACE(name + " towards " + std::to_string(way));
+      Driver driver({}, name);
+      for (int y = 0; y < 60; ++y) driver.map.at(27, y) = 254;  // up to x = 2.8
+      const bool reverse = way > 2;
+      driver.robot.state.pose = {2.88, 3, reverse ? 3.14159 : way};
+      const double to_x = reverse ? 4.5 : 2.88 + 1.5 * std::cos(way);
+      const double to_y = reverse ? 3 : 3 + 1.5 * std::sin(way);
+      const Poses path = along({{2.88, 3}, {to_x, to_y}}, reverse);
+      ASSERT_TRUE(driver.follower.set_path(path));
+      double deepest = depth_of(driver.map, driver.robot.state.pose);
+      EXPECT_NEAR(deepest, 0.02, 1e-9);
+      std::optional<ControlFailure> failure;
+      for (int i = 0; i < 400 && !failure; ++i) {
         const auto told = driver.step();
-        ASSERT_FALSE(told);
-        EXPECT_EQ(told.error().kind, ControlFailureKind::no_valid_control);
+        if (!told) failure = told.error();
+        const double depth = depth_of(driver.map, driver.robot.state.pose);
+        EXPECT_LE(depth, deepest + 1e-3);
+        deepest = std::min(deepest, depth);
+        const wend::MapPose at = driver.on_path();
+        if (distance(at.point(), path.back().point()) < kTolerance) break;
       }
+      EXPECT_FALSE(failure) << failure->message;
+      EXPECT_EQ(deepest, 0);
+    }
+  }
+}
 
-    }  // namespace
-  }  // namespace wend_nav2
+TEST(PathFollower, SaysWhenTheRobotDoesNotMove) {
+  Driver driver(wend::OptionValues{{"stuck_time", "1"}});
+  ASSERT_TRUE(driver.follower.set_path(along({{1, 1}, {5, 1}})));
+  driver.follower.costmap().read(driver.map.layout, driver.map.costs);
+  std::optional<ControlFailure> failure;
+  for (int i = 0; i < 100 && !failure; ++i) {
+    const auto told = driver.follower.command({{1, 1, 0}, {1, 1, 0}, {}, kDisc, kPeriod});
+    if (!told) failure = told.error();
+  }
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->kind, ControlFailureKind::no_progress);
+  EXPECT_THAT(failure->message, HasSubstr("at (1, 1)"));
+}
+
+TEST(PathFollower, OutsideTheCostmapThereIsNoCommand) {
+  Driver driver;
+  driver.robot.state.pose = {7, 1, 0};
+  ASSERT_TRUE(driver.follower.set_path(along({{7, 1}, {9, 1}})));
+  const auto told = driver.step();
+  ASSERT_FALSE(told);
+  EXPECT_EQ(told.error().kind, ControlFailureKind::no_valid_control);
+}
+
+}  // namespace
+}  // namespace wend_nav2
