@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "costmaps.hpp"
+#include "path_length.hpp"
 #include "simulated_robot.hpp"
 
 namespace wend_nav2 {
@@ -281,14 +282,6 @@ TEST(PathPlanner, AnsweringAfterChangesIsAnsweringAnew) {
   }
 }
 
-double length_of(const PathPlanner::Poses& poses) {
-  double sum = 0;
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    sum += distance(poses[i - 1].point(), poses[i].point());
-  }
-  return sum;
-}
-
 /// Of every planner: a path of poses keeps its headings and its turning radius.
 TEST(PathPlanner, ReplansWithAllThatWasAskedFor) {
   Costmap map = empty_costmap(60, 60);
@@ -303,7 +296,8 @@ TEST(PathPlanner, ReplansWithAllThatWasAskedFor) {
     EXPECT_EQ(kind_of(again), kind_of(fresh));
     if (!fresh || !again) continue;
     if (info.guarantee != wend::Guarantee::optimal) {
-      EXPECT_NEAR(length_of(*again), length_of(*fresh), 0.03 * length_of(*fresh));
+      EXPECT_NEAR(test::path_length(*again), test::path_length(*fresh),
+                  0.03 * test::path_length(*fresh));
     }
     if (!info.capabilities.headings) continue;
     ASSERT_EQ(again->size(), fresh->size());
@@ -328,9 +322,9 @@ TEST(PathPlanner, KeepsAPathUnlessAnotherIsCheaperByTheShare) {
       const auto again = plan(warm, map, start, goal);
       ASSERT_TRUE(around && again) << name;
       if (keep == "0.9") {
-        EXPECT_NEAR(length_of(*again), length_of(*around), 1e-6) << name;
+        EXPECT_NEAR(test::path_length(*again), test::path_length(*around), 1e-6) << name;
       } else {
-        EXPECT_LT(length_of(*again), 0.8 * length_of(*around)) << name;
+        EXPECT_LT(test::path_length(*again), 0.8 * test::path_length(*around)) << name;
       }
     }
   }

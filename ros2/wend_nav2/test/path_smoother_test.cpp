@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "costmaps.hpp"
+#include "path_length.hpp"
 #include "wend_nav2/path_planner.hpp"
 
 namespace wend_nav2 {
@@ -32,14 +33,6 @@ wend::Expected<PathSmoother::Result, Failure> smooth(const Costmap& map, const P
   made.set(*smoother_settings_from(smoother, {}));
   made.costmap().read(map.layout, map.costs);
   return made.smooth(path, kSmallDisc, never);
-}
-
-double length_of(const Poses& path) {
-  double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    length += distance(path[i - 1].point(), path[i].point());
-  }
-  return length;
 }
 
 /// Poses in the middles of cells from one to the next, each facing the next.
@@ -82,7 +75,7 @@ RC_GTEST_PROP(PathSmoother, KeepsTheEndsAndStaysFree, ()) {
   RC_ASSERT(smoothed->complete);
   RC_ASSERT(smoothed->poses.front() == planned->front());
   RC_ASSERT(smoothed->poses.back() == planned->back());
-  RC_ASSERT(length_of(smoothed->poses) <= length_of(*planned) + 1e-6);
+  RC_ASSERT(test::path_length(smoothed->poses) <= test::path_length(*planned) + 1e-6);
   for (const wend::MapPose& pose : smoothed->poses) {
     const auto cost = map.at(static_cast<int>(std::floor(pose.x / 0.1 + 1e-9)),
                              static_cast<int>(std::floor(pose.y / 0.1 + 1e-9)));
@@ -97,7 +90,7 @@ TEST(PathSmoother, RoundsACorner) {
   const Poses path = path_through(map, {{2, 2}, {15, 2}, {15, 15}});
   const auto smoothed = smooth(map, path);
   ASSERT_TRUE(smoothed);
-  EXPECT_LT(length_of(smoothed->poses), length_of(path) - 0.05);
+  EXPECT_LT(test::path_length(smoothed->poses), test::path_length(path) - 0.05);
   for (std::size_t i = 0; i + 2 < smoothed->poses.size(); ++i) {
     const double turn = smoothed->poses[i + 1].heading - smoothed->poses[i].heading;
     EXPECT_LT(std::abs(turn), 0.6);
