@@ -8,9 +8,10 @@ const here = new URL('.', import.meta.url).pathname;
 const site = join(here, '../build/lab/site');
 // Bytes, gzipped: of what the page loads before it shows a search; of all files, which the service worker fetches after
 // that; of the one file. A build that exceeds them fails.
-const mostOfFirst = 250_000;
-const mostOfSite = 855_000;
-const mostOfFile = 890_000;
+// Raised by a tenth for ways out, closest places and the checks of every number, which each module has.
+const mostOfFirst = 285_000;
+const mostOfSite = 950_000;
+const mostOfFile = 970_000;
 // Loaded when they are asked for: the module with all planners, the charts, the element for other pages; and the service
 // worker, which the page starts after its first search.
 const later = /^(assets\/(wend|uPlot)|embed\.js|worker\.js|licences\.html)/;

@@ -304,7 +304,8 @@ TEST_F(BadCarInput, OnlyThePlannersOfACarTakeHeadings) {
   for (const auto& command : commands) {
     const Outcome outcome = wend(command);
     EXPECT_EQ(outcome.code, 2) << command.front();
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr("has a heading"), HasSubstr("--planner car")));
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("has a heading"),
+                                   HasSubstr("--planner hybrid_astar, lattice or car")));
   }
 }
 

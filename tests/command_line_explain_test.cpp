@@ -311,8 +311,10 @@ TEST_F(ViewCommand, RefusesWhatDoesNotFit) {
     return outcome.err;
   };
   const std::string far = folder_.write("far.csv", "x,y,x_m,y_m\n1,2,1.5,2.5\n90,2,90.5,2.5\n");
-  EXPECT_THAT(error_of({far}),
-              AllOf(HasSubstr("far.csv"), HasSubstr("(90,2)"), HasSubstr("11 x 5 cells")));
+  const Outcome left = view({far});
+  EXPECT_EQ(left.code, 1);
+  EXPECT_THAT(left.out, IsEmpty());
+  EXPECT_THAT(left.err, HasSubstr("at (11,2.5), cell (10,2), it leaves the map"));
   EXPECT_THAT(error_of({"--show", "expansion"}), HasSubstr("wend plan --show"));
   EXPECT_THAT(error_of({"--style", "dim"}), HasSubstr("light, dark, print"));
   EXPECT_THAT(error_of({folder_ / "none.csv"}), HasSubstr("none.csv"));

@@ -91,10 +91,12 @@ double tolerance(const ScenarioQuery& query) {
   return fixed_decimals ? std::max(relative, 0.50001 * std::pow(10, -query.decimals)) : relative;
 }
 
-void check(Planner& planner, const GridMap& map, const ScenarioQuery& query, Plan& plan) {
+/// Rows of files for fleets all say 0: of those only the path is checked, not its length.
+void check(Planner& planner, const GridMap& map, const ScenarioQuery& query, bool has_lengths,
+           Plan& plan) {
   SCOPED_TRACE("line " + std::to_string(query.line));
   const Status status = planner.plan(Query::between(query.start, query.goal), plan);
-  if (query.says_no_path()) {
+  if (has_lengths && query.says_no_path()) {
     EXPECT_NE(to_string(status), to_string(Status::found));
     return;
   }
@@ -104,8 +106,9 @@ void check(Planner& planner, const GridMap& map, const ScenarioQuery& query, Pla
   EXPECT_EQ(cells.front(), query.start);
   EXPECT_EQ(cells.back(), query.goal);
   EXPECT_EQ(first_fault(map, cells), -1);
-  EXPECT_NEAR(length_of(cells), query.length, tolerance(query));
   EXPECT_NEAR(plan.cost, length_of(cells), 1e-9 * std::max(1.0, plan.cost));
+  if (!has_lengths) return;
+  EXPECT_NEAR(length_of(cells), query.length, tolerance(query));
   EXPECT_TRUE(length_matches(query, plan.cost));
 }
 
@@ -123,11 +126,13 @@ void check_file(const std::string& file, std::size_t most) {
   const auto planner = make_planner("astar", *make_free_space(loaded->map));
   ASSERT_TRUE(planner) << planner.error().message;
   Plan plan;
+  const bool has_lengths =
+      std::ranges::any_of(scenario->queries, [](const auto& query) { return query.length > 0; });
   const std::size_t count = scenario->queries.size();
   const std::size_t checked = std::min(most, count);
   for (std::size_t i = 0; i < checked && !::testing::Test::HasFailure(); ++i) {
     const std::size_t chosen = checked == 1 ? 0 : i * (count - 1) / (checked - 1);
-    check(**planner, loaded->map, scenario->queries[chosen], plan);
+    check(**planner, loaded->map, scenario->queries[chosen], has_lengths, plan);
   }
 }
 

@@ -42,7 +42,7 @@ std::string caption_of(const Drive& drive) {
                      drive.cross_track_largest);
 }
 
-constexpr const char* kTurningRadius = "turning_radius";
+constexpr const char* kSteeredRadius = "turning_radius";
 
 /// A controller needs a little of what the wheels can steer for itself: in whole centimetres.
 double planned_radius(double turning_radius) {
@@ -77,11 +77,11 @@ PlannerSpec FollowRun::steered() const {
   PlannerSpec planner = planner_of(arguments_);
   arguments_.refine.steer(planner, coordinates_);
   const bool given = std::ranges::any_of(
-      planner.options, [](const auto& option) { return option.first == kTurningRadius; });
+      planner.options, [](const auto& option) { return option.first == kSteeredRadius; });
   const bool steers = robot_.turning_radius() > 0 && arguments_.path.empty();
-  if (given || !steers || !has_option(info_of(planner).options, kTurningRadius)) return planner;
+  if (given || !steers || !has_option(info_of(planner).options, kSteeredRadius)) return planner;
   const double radius = planned_radius(robot_.turning_radius());
-  planner.options.emplace_back(kTurningRadius, format_number(radius));
+  planner.options.emplace_back(kSteeredRadius, format_number(radius));
   complain(
       fmt::format("the planner's turning radius is {:.3g} m, as the bicycle needs {:.3g} m; "
                   "--turning-radius sets "

@@ -30,7 +30,7 @@ CALLS: list[Any] = [
     lambda number: PLAN.trajectory(speed=number).duration,
     lambda number: PLAN.trajectory().samples(number),
     lambda number: PLAN.trajectory().at(number),
-    lambda number: SPACE.map.free_space(number).clearance(),
+    lambda number: SPACE.map.free_space(number).clearance,
     lambda number: wend.Map(np.zeros((2, 2)), resolution=number).resolution,
     lambda number: wend.Map(np.zeros((2, 2)), resolution=1, origin=(number, 0, 0)).resolution,
     lambda number: wend.Map(np.zeros((2, 2)), costs=[[1, number], [1, 1]]).costs,

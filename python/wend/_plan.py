@@ -144,7 +144,8 @@ class Plan:
         ``nearest=True`` moved a goal that no path reaches.
 
         >>> import wend
-        >>> wend.Map([[0, 0, 0, 1, 0]]).free_space().plan((0, 0), (4, 0), closest=True).remaining
+        >>> space = wend.Map([[0, 0, 0, 1, 0]], resolution=1).free_space()
+        >>> space.plan((0.5, 0.5), (4.5, 0.5), closest=True).remaining
         2.0
         """
         return self._inner.remaining

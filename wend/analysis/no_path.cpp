@@ -96,7 +96,7 @@ BitGrid cells_where(const FreeSpace& space, Holds&& holds) {
 }  // namespace
 
 BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves) {
-  if (!space.contains(cell)) return BitGrid(space.width(), space.height());
+  if (!space.contains(cell)) return {space.width(), space.height()};
   if (labels_are_exact(space, moves)) {
     const ConnectedComponents& components = space.components();
     return cells_where(

@@ -282,8 +282,9 @@ bool Follower::stands(const MapPose& pose, double seconds) {
     seen_then_ = pose;
     return false;
   }
-  const double turned = std::abs(normalized_angle(pose.heading - seen_->heading));
-  if (distance(pose.point(), seen_->point()) <= kSpeed * seconds && turned <= kTurnRate * seconds) {
+  const MapPose seen = seen_.value_or(pose);
+  const double turned = std::abs(normalized_angle(pose.heading - seen.heading));
+  if (distance(pose.point(), seen.point()) <= kSpeed * seconds && turned <= kTurnRate * seconds) {
     return true;
   }
   waited_ += seconds;

@@ -40,7 +40,7 @@ class CollisionCounter {
   /// already.
   std::optional<double> sweep(const MapSegment& way) {
     const Segment in_grid = to_grid(way, space_.map().frame());
-    if (leaving_ && leaves(in_grid)) return std::nullopt;
+    if (leaves(in_grid)) return std::nullopt;
     const bool was_free = free_;
     free_ = is_free(in_grid);
     if (free_ || !was_free) return std::nullopt;
@@ -58,6 +58,7 @@ class CollisionCounter {
 
   /// Is the segment one of the way out?
   bool leaves(const Segment& way) {
+    if (!leaving_) return false;
     escape_ -= std::abs(way.length) * space_.map().frame().resolution;
     const bool goes_on =
         escape_ >= -kLeavingRounding * space_.map().frame().resolution && leaving_->go_along(way);

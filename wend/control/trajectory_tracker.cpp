@@ -18,7 +18,7 @@ double pace_at(double aside, double turn) {
   constexpr double kFar = 0.1;       // m
   constexpr double kAligned = 0.05;  // rad
   constexpr double kTurned = 0.15;   // rad
-  constexpr double kLeast = 0.1;
+  constexpr double kLeast = 0.3;     // a robot far beside still gets there in time
   const double beside = (aside - kNear) / (kFar - kNear);
   const double turned = (turn - kAligned) / (kTurned - kAligned);
   return std::clamp(1 - std::max(beside, turned), kLeast, 1.0);

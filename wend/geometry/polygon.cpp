@@ -146,6 +146,7 @@ std::optional<Error> crossing_edges(const Outline& outline) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a sink to its callers
 Expected<Polygon, Error> Polygon::make(std::vector<Point> corners) {
   if (auto fault = fault_of_numbers(corners)) return Unexpected<Error>(*std::move(fault));
   Outline outline = without_repeated(corners);

@@ -205,9 +205,9 @@ Path behind_lead(const Path& path, std::size_t points) {
 LedPath check_with_lead(const Path& path, const FreeSpace& space, double most,
                         Adjacency adjacency) {
   assert(!path.empty());
-  auto collision = first_collision(path, space, adjacency);
+  const auto collision = first_collision(path, space, adjacency);
   const bool starts_free = !collision || collision->along > 0 || most <= 0;
-  if (starts_free) return {std::move(collision), 0, true};
+  if (starts_free) return {collision, 0, true};
   LedPath led = led_along(path, space, most, adjacency, false);
   if (!led.collision || path.driven() || space.outline() == nullptr) return led;
   return led_along(path, space, most, adjacency, true);

@@ -31,7 +31,7 @@ TEST(PlanJson, HasAPlanInCellsAndMetres) {
       plan_json(result, kPlanFrame),
       R"({"schema":1,"planner":"astar","status":"found","cost":1.0,"length_cells":1.0,"length_m":0.5,)"
       R"("path":[[0,0],[1,0]],"path_m":[[-0.75,2.25],[-0.25,2.25]],"bound":1.0,)"
-      R"("robot_radius":0.4,"footprint":"0.4,0;-0.2,0.3;-0.2,-0.3",)"
+      R"("robot_radius":0.4,"footprint":"0.4,0;-0.2,0.3;-0.2,-0.3","notes":[],)"
       R"("metrics":{"expanded":2,"generated":5,"max_frontier":3},"times":{"load_us":4000.0,)"
       R"("free_space_us":2000.0,"planner_us":3.0,"index_us":null,"search_us":1.5}})"
       "\n");

@@ -26,8 +26,8 @@ namespace wend {
 
 /// A disc that a shape covers, in the shape's coordinates.
 struct InnerDisc {
-  Point centre = {};
-  double radius = 0;
+  Point centre = {};  // metres
+  double radius = 0;  // metres; 0: a point
 
   friend bool operator==(const InnerDisc&, const InnerDisc&) = default;
 };

@@ -97,7 +97,8 @@ double OverlapMeasure::covered(const Pose& pose, const Blocks& blocks) const {
   double area = 0;
   any_obstacle(space_, robot.box(), [&](Cell square) {
     if (blocks(square) && robot.overlaps(square)) {
-      area += area_within(robot.corners(), {double(square.x), double(square.y)}, 1, 1);
+      area += area_within(robot.corners(),
+                          {static_cast<double>(square.x), static_cast<double>(square.y)}, 1, 1);
     }
     return false;
   });

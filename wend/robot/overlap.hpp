@@ -41,6 +41,7 @@ struct Overlap {
   }
 };
 
+/// Measures the overlap of one robot on one space, which must outlive it.
 class WEND_API OverlapMeasure {
  public:
   /// Of the space's robot; with `every_heading`, a polygon counts as its circumscribed disc, as planners on cells see it.

@@ -87,6 +87,7 @@ class ClosestPose {
 
   std::vector<Goal> goals_within(double tolerance) const {
     std::vector<Goal> goals;
+    goals.reserve(asked_.size());
     for (const Goal& goal : asked_) goals.emplace_back(goal.point, tolerance);
     return goals;
   }
@@ -149,8 +150,9 @@ std::optional<ClosestPlaces> closest_cells(const Planner& planner, const Query& 
                                            double most) {
   const FreeSpace& space = planner.free_space();
   const auto start = cell_under(space, query.start.point());
-  if (!start || !space.passable(*start)) return std::nullopt;
-  const Adjacency adjacency = planner.grid_moves()->adjacency();
+  const auto moves = planner.grid_moves();
+  if (!moves || !start || !space.passable(*start)) return std::nullopt;
+  const Adjacency adjacency = moves->adjacency();
   const auto reaches = [&](Cell cell) {
     return space.components().connected(cell, *start, adjacency);
   };

@@ -121,6 +121,7 @@ Expected<Session::View, Error> Session::State::view() {
   {
     const MutexLock lock(mutex);
     if (auto known = known_view()) return *std::move(known);
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): without a map, known_view() answers
     parts.emplace(*map, robot, frame_id, version, std::nullopt);
     if (obstacle_options == robot.obstacles()) parts->obstacles = obstacles;
   }

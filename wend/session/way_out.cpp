@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -62,7 +63,7 @@ class CellWay {
           continue;
         }
         const Cell next{cell.x + dx, cell.y + dy};
-        const double after = length + (diagonal ? std::sqrt(2.0) : 1.0);
+        const double after = length + (diagonal ? std::numbers::sqrt2 : 1.0);
         if (!space_.contains(next) || after > most_ + kWayRounding) continue;
         if (diagonal && cuts_corner(cell, next, here)) continue;
         const auto known = reached_.find({next.y, next.x});
@@ -264,8 +265,9 @@ std::optional<WayOut> way_out(const Planner& planner, const Pose& start, double 
   const auto place = planner.place_of(start);
   if (!place || !(most > 0)) return std::nullopt;
   if (drives(planner)) return DrivenWay(planner, most, places).from(*place);
-  return way_out_over_cells(planner.free_space(), *planner.grid_moves(), cell_at(place->point()),
-                            most);
+  const auto moves = planner.grid_moves();
+  if (!moves) return std::nullopt;
+  return way_out_over_cells(planner.free_space(), *moves, cell_at(place->point()), most);
 }
 
 }  // namespace wend

@@ -150,6 +150,7 @@ wend::Expected<void, ControlFailure> PathFollower::set_path(
     if (auto made = make_follower(); !made) return made;
   }
   route_ = *std::move(route);
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): it was made by now
   follower_->follow(*route_, [this](const wend::MapPose& from, wend::MapPoint to) {
     return can_reach(from, to);
   });
@@ -159,7 +160,7 @@ wend::Expected<void, ControlFailure> PathFollower::set_path(
 /// Is no wall between? Of the costmap at the moment of a command.
 bool PathFollower::can_reach(const wend::MapPose& from, wend::MapPoint to) const {
   const wend::RouteLeg line{wend::MapPolyline({from.point(), to})};
-  return !free_ || is_free_ahead(line, 0, line.line.length(), *to_costmap_, *free_);
+  return !free_ || !to_costmap_ || is_free_ahead(line, 0, line.line.length(), *to_costmap_, *free_);
 }
 
 wend::Expected<wend::FreeSpace, ControlFailure> PathFollower::space(const RobotShape& robot) {
@@ -173,7 +174,7 @@ wend::Expected<wend::FreeSpace, ControlFailure> PathFollower::space(const RobotS
 }
 
 wend::Expected<wend::Velocity, ControlFailure> PathFollower::wanted(const ControlMoment& moment) {
-  if (stops_) return wend::Velocity{};
+  if (stops_ || !follower_) return wend::Velocity{};
   const wend::FollowerStep step = follower_->step(moment.on_path, moment.seconds);
   switch (step.state) {
     case wend::FollowerState::stuck:
@@ -208,7 +209,7 @@ std::optional<wend::Velocity> PathFollower::safe(const ControlMoment& moment,
   const auto slowed = [&](const wend::Velocity& wanted, const wend::FreeSpace& space) {
     return safe_velocity(model, state, wanted, moment.seconds, space);
   };
-  if (!follower_) return slowed(want, free);
+  if (!follower_ || !route_ || !to_costmap_) return slowed(want, free);
   constexpr double kSeen = 0.5;  // m
   const double braking = before.linear * before.linear / (2 * model.limits.acceleration);
   const double seen = braking + std::abs(before.linear) * moment.seconds +
@@ -240,7 +241,7 @@ wend::Expected<wend::Velocity, ControlFailure> PathFollower::command(const Contr
   if (!free) return wend::Unexpected<ControlFailure>(free.error());
   free_ = *free;
   to_costmap_.emplace(moment.on_path, moment.in_costmap);
-  const auto want = wanted(moment);
+  auto want = wanted(moment);
   free_.reset();  // an edit of it is cheaper if there is no copy
   if (!want) return want;
   const auto velocity = safe(moment, before, *want, *free);
@@ -256,6 +257,7 @@ wend::Expected<wend::Velocity, ControlFailure> PathFollower::command(const Contr
 }
 
 bool PathFollower::is_at_goal(const wend::MapPose& pose) const {
+  if (!route_) return false;
   const wend::MapPose& goal = route_->end();
   const double turn = wend::normalized_angle(goal.heading - pose.heading);
   return distance(pose.point(), goal.point()) <= goal_distance_ &&

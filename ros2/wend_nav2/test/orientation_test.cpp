@@ -25,7 +25,7 @@ Quaternion orientation_of(double heading, double lean, double axis) {
   return {x * c + y * s, y * c - x * s, w * s, w * c};
 }
 
-std::string fault_of(const Quaternion& orientation, Tilt tilt = Tilt::flat) {
+std::string why_refused(const Quaternion& orientation, Tilt tilt = Tilt::flat) {
   const auto heading = heading_of(orientation, tilt);
   return heading ? "none" : heading.error();
 }
@@ -50,17 +50,17 @@ RC_GTEST_PROP(Orientation, WhatLeansIsRefusedFromALimitOn, ()) {
 
 TEST(Orientation, WhatIsNoneIsRefusedWithTheReason) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(fault_of({0, 0, 0, 0}), HasSubstr("has the length 0"));
-  EXPECT_THAT(fault_of({0, 0, 1e-300, 0}), HasSubstr("has the length 0"));
-  EXPECT_THAT(fault_of({0, 0, 1, 1}), HasSubstr("has the length 1.414, not 1"));
-  EXPECT_THAT(fault_of({0, 0, 0, 0.5}), HasSubstr("has the length 0.5, not 1"));
-  EXPECT_THAT(fault_of({1, 0, 0, 0}), HasSubstr("leans 180 degrees"));
-  EXPECT_THAT(fault_of({.5, .5, .5, .5}, Tilt::slope), HasSubstr("leans 90 degrees"));
+  EXPECT_THAT(why_refused({0, 0, 0, 0}), HasSubstr("has the length 0"));
+  EXPECT_THAT(why_refused({0, 0, 1e-300, 0}), HasSubstr("has the length 0"));
+  EXPECT_THAT(why_refused({0, 0, 1, 1}), HasSubstr("has the length 1.414, not 1"));
+  EXPECT_THAT(why_refused({0, 0, 0, 0.5}), HasSubstr("has the length 0.5, not 1"));
+  EXPECT_THAT(why_refused({1, 0, 0, 0}), HasSubstr("leans 180 degrees"));
+  EXPECT_THAT(why_refused({.5, .5, .5, .5}, Tilt::slope), HasSubstr("leans 90 degrees"));
   for (const Quaternion& endless : {Quaternion{kNan, 0, 0, 1}, Quaternion{0, 0, kNan, 1},
                                     Quaternion{0, 0, INFINITY, 1}, Quaternion{0, 0, 1e300, 1}}) {
-    EXPECT_THAT(fault_of(endless), HasSubstr("NaN or infinity"));
+    EXPECT_THAT(why_refused(endless), HasSubstr("NaN or infinity"));
   }
-  EXPECT_EQ(fault_of({0, 0, 0.7, 0.7}), "none") << "as people type a quarter turn";
+  EXPECT_EQ(why_refused({0, 0, 0.7, 0.7}), "none") << "as people type a quarter turn";
 }
 
 }  // namespace

@@ -250,7 +250,7 @@ TEST(PathPlanner, EndsAtTheClosestPlaceIfItMay) {
   const wend::MapPose start = middle_of(map, 0, 2);
   const wend::MapPose goal = middle_of(map, 7, 2);
   const auto planned = [&](const std::string& closest) {
-    return plan_once(settings_of("astar", {{"tolerance", "0.1"}, {"closest", closest}}), map, start,
+    return plan_once(inscribed("astar", {{"tolerance", "0.1"}, {"closest", closest}}), map, start,
                      goal);
   };
   EXPECT_EQ(kind_of(planned("false")), "no_valid_path");
@@ -397,7 +397,7 @@ RC_GTEST_PROP(PathPlanner, KeepsARoundRobotOutOfObstaclesByItsRadius, ()) {
   const RobotShape robot{wend::Footprint::disc(radius), true};
   const auto name = *rc::gen::elementOf(
       std::vector<std::string>{"astar", "jps", "any_angle", "theta_star", "hybrid_astar"});
-  const auto planned = plan_once(settings_of(name, {{"spacing", "0.01"}}), map,
+  const auto planned = plan_once(settings_of(name, {{"spacing", "0.01"}, {"escape", "0"}}), map,
                                  middle_of(map, 4, 4, 1), middle_of(map, 19, 19, 2), robot);
   if (!planned) return;
   for (const wend::MapPose& pose : *planned) RC_ASSERT(!test::collides(map, pose, radius));

@@ -42,7 +42,7 @@ wend::Expected<wend::Footprint, wend::Error> robot_from(const NodeSettings& sett
   if (settings.robot_frame.empty()) return refused("robot_frame", "the name of a frame expected");
   if (!settings.footprint.empty()) return polygon_from(settings.footprint);
   if (!settings.shape.empty()) return shape_from(settings.shape);
-  const wend::Footprint disc = wend::Footprint::disc(settings.robot_radius);
+  wend::Footprint disc = wend::Footprint::disc(settings.robot_radius);
   if (!disc.valid()) {
     return refused("robot_radius", wend::format_number(settings.robot_radius) +
                                        " is not a length: metres from 0 on expected");

@@ -61,7 +61,9 @@ void DriveShortener::cut(const Drive& drive) {
   pieces_.clear();
   for (const DrivenMotion& driven : drive) {
     const double length = std::abs(driven.motion.length);
-    const int count = std::max(1, static_cast<int>(std::ceil(length / spacing_)));
+    constexpr double kMostPieces = 1e4;  // for absurdly small spacings
+    const int count =
+        std::max(1, static_cast<int>(std::ceil(std::min(length / spacing_, kMostPieces))));
     for (int i = 0; i < count; ++i) {
       const Motion before = part_of(driven.motion, static_cast<double>(i) / count);
       pieces_.push_back({pose_after(driven.from, before), part_of(driven.motion, 1.0 / count)});

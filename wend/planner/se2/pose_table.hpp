@@ -2,6 +2,7 @@
 
 // PoseTable: a hash table from boxes of positions and headings to the number of a node. Cleared in O(1).
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -52,8 +53,11 @@ class PoseTable {
   };
 
   std::uint64_t key_of(const Pose& pose) const {
+    // Boxes of absurdly small motions have no number of their own.
     const auto box = [](double value) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)) + (1 << 24));
+      constexpr double kMost = 1 << 24;
+      const double number = value > -kMost ? std::min(std::floor(value), kMost) : -kMost;
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(number) + (1 << 24));
     };
     const double turn = pose.heading / (2 * kPi);
     const auto nearest =

@@ -118,7 +118,11 @@ std::optional<Drive> cheapest_connected(const Drive& drive, std::size_t free_fro
   for (const DrivenMotion& driven : drive) whole += std::abs(driven.motion.length);
   // A car comes back to its path in a few turning radii.
   const double step = std::max(1.0, steering.radius() / 2);
-  for (double ahead = step; ahead < whole; ahead *= 2) offer(tail_after(drive, ahead));
+  double ahead = step;
+  while (ahead < whole) {
+    offer(tail_after(drive, ahead));
+    ahead *= 2;
+  }
   offer(tail_after(drive, whole));
   return best;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -39,20 +40,27 @@ void for_each_place(const Pose& from, const Motion& motion, Visit&& visit) {
   }
 }
 
-class MotionsOf : public ::testing::TestWithParam<std::string> {};
+struct Shapes {
+  std::string shape;
+  std::string larger;  // covers the shape and what is near it
+};
+
+void PrintTo(const Shapes& shapes, std::ostream* stream) { *stream << shapes.shape; }
+
+class MotionsOf : public ::testing::TestWithParam<Shapes> {};
 
 /// A motion that the check lets pass is free at every place. What it refuses is blocked for a robot that is a
 /// little larger.
 TEST_P(MotionsOf, AreFreeWhereTheyPassAndTightWhereTheyDoNot) {
-  const Footprint footprint = *parse_footprint(GetParam());
+  const Footprint footprint = *parse_footprint(GetParam().shape);
+  const Footprint grown = *parse_footprint(GetParam().larger);
   int passed = 0;
   int refused = 0;
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const FreeSpace space = random_space(random, footprint);
-    const FreeSpace larger =
-        *make_free_space(space.obstacles(), {.footprint = footprint.scaled(1.25)});
+    const FreeSpace larger = *make_free_space(space.obstacles(), {.footprint = grown});
     const MotionCheck check(space);
     const Pose from{space.width() * random.uniform(), space.height() * random.uniform(),
                     2 * kPi * random.uniform()};
@@ -76,12 +84,17 @@ TEST_P(MotionsOf, AreFreeWhereTheyPassAndTightWhereTheyDoNot) {
   EXPECT_GT(refused, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Footprints, MotionsOf,
-                         ::testing::Values("disc:0.45", "disc:1.2",
-                                           "1,0.5;-0.6,0.5;-0.6,-0.5;1,-0.5",
-                                           "1,0.6;0,0.2;-1,0.6;-1,-0.6;0,-0.4;1,-0.6",
-                                           "rect:1.6x0.8,0.8", "rect:1.4x1,1.6",
-                                           "2,0.6;0.4,0.6;0.4,0.2;1.4,0.2;1.4,-0.6;2,-0.6"));
+INSTANTIATE_TEST_SUITE_P(
+    Footprints, MotionsOf,
+    ::testing::Values(Shapes{"disc:0.45", "disc:0.5625"}, Shapes{"disc:1.2", "disc:1.5"},
+                      Shapes{"1,0.5;-0.6,0.5;-0.6,-0.5;1,-0.5",
+                             "1.25,0.625;-0.75,0.625;-0.75,-0.625;1.25,-0.625"},
+                      Shapes{"1,0.6;0,0.2;-1,0.6;-1,-0.6;0,-0.4;1,-0.6",
+                             "1.25,0.75;0,0.25;-1.25,0.75;-1.25,-0.75;0,-0.5;1.25,-0.75"},
+                      Shapes{"rect:1.6x0.8,0.8", "rect:2x1.2,0.8"},
+                      Shapes{"rect:1.4x1,1.6", "rect:1.8x1.4,1.6"},
+                      Shapes{"2,0.6;0.4,0.6;0.4,0.2;1.4,0.2;1.4,-0.6;2,-0.6",
+                             "2.2,0.8;0.2,0.8;0.2,0;1.2,0;1.2,-0.8;2.2,-0.8"}));
 
 /// A circle of hundreds of corners is blocked where its inner disc is, and free where the disc around it is.
 TEST(MotionCheck, TakesHundredsOfCorners) {
