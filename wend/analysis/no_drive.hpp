@@ -7,7 +7,7 @@
 // `plan`, with the limits of the query. The planner is complete only at its resolution, and the searches for what would
 // help end at a limit, so a larger robot or radius may do as well.
 //
-//   const auto why = wend::explain_no_drive(space, query, {.turning_radius = 12});
+//   const auto why = wend::explain_no_drive(space, query, {.turning_radius = 200});
 //   if (why && why->turning_radius) suggest_radius(*why->turning_radius);
 
 #include <cstdint>

@@ -117,7 +117,7 @@ void DriveShortener::shorten(Drive& drive) {
   cut(drive);
   take_cheapest(drive);
   join(drive);
-  if (cost_of(drive, check_, steering_) > cost_of(before_, check_, steering_)) drive.swap(before_);
+  if (cost_of(drive, check_, steering_) > cost_of(before_, check_, steering_)) drive = before_;
 }
 
 void DriveShortener::take_cheapest(Drive& drive) {

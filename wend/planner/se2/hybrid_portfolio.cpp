@@ -19,7 +19,7 @@ constexpr std::uint64_t kFloodGrowth = 4;
 constexpr int kFiner = 2;                          // than the other searches: fine
 constexpr std::uint64_t kMostOnLattice = 100'000;  // expansions of the last search
 constexpr std::uint64_t kMostShuffles = 1000;      // expansions of each search of shuffles
-constexpr std::uint64_t kMostInPocket = 10'000;    // the same where a flood from its end ends soon
+constexpr std::uint64_t kMostInPocket = 4000;      // the same where a flood from its end ends soon
 constexpr double kNarrow = 0.75;                   // room beside the robot, in steps
 constexpr float kNarrowFactor = 4;
 constexpr std::uint64_t kMostKept = 50'000;  // poses of a search that keeps its memory
@@ -71,6 +71,13 @@ double HybridPortfolio::shuffle_length() const {
   const double radius = steering_.radius() > 0 ? steering_.radius() : resolution_.step;
   const double robot = kOfRadius * ground_->free_space().radius_in_cells();
   return robot > 1 ? std::min(kMostRadii * radius, robot) : radius;
+}
+
+/// A robot of a cell slips through wherever its searches in boxes do; one with a far larger radius gains nothing.
+bool HybridPortfolio::may_shuffle() const {
+  constexpr double kMostLengths = 50;
+  return ground_->free_space().radius_in_cells() > 1 &&
+         steering_.radius() <= kMostLengths * shuffle_length();
 }
 
 /// To and fro the robot gains little with each motion: the boxes have to be smaller than that, or no pose is new.
@@ -203,8 +210,7 @@ void HybridPortfolio::begin(const Pose& start, std::span<const HybridGoal> goals
   members_[backward].over = !one_goal || !goals.front().wants_heading();
   members_[shuffle_backward].over = !one_goal || goals.front().any_heading;
   members_[close_shuffle_backward].over = members_[shuffle_backward].over;
-  constexpr double kMostLengths = 50;  // with a larger radius, nothing is gained to and fro
-  if (steering_.radius() <= kMostLengths * shuffle_length()) return;
+  if (may_shuffle()) return;
   for (std::size_t kind = shuffle; kind < lattice; ++kind) members_[kind].over = true;
 }
 
@@ -242,20 +248,31 @@ SearchOutcome HybridPortfolio::take_course() {
     flood(flooded, course);
     if (const auto outcome = stopped()) return *outcome;
   }
+  const bool at_goal = flooded_ && to_goal_->is_small();
+  const bool at_start = flooded_ && from_start_->is_small();
+  // Where short motions do not lead a robot of a cell out, those on cells do not either.
+  if ((at_goal || at_start) && !may_shuffle()) {
+    no_drive_.why = why_none();
+    return SearchOutcome::exhausted;
+  }
   const bool one_pose = goals_.size() == 1 && goals_.front().wants_heading();
-  const bool at_goal = to_goal_ && to_goal_->is_small();
   return search_lattice(one_pose && at_goal ? lattice_backward : lattice);
 }
 
 /// Runs the floods, and leaves out the searches that one of them shows to be of no use.
 void HybridPortfolio::flood(std::uint64_t most, Course& course) {
   using Direction = PoseFlood::Direction;
+  const MotionCheck& check = ground_->check();
   if (!to_goal_) {
-    const MotionCheck& check = ground_->check();
     to_goal_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::to_goal);
+  }
+  if (!from_start_) {
     from_start_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::from_start);
+  }
+  if (!flooded_) {
     to_goal_->begin(goals_);
     from_start_->begin(start_);
+    flooded_ = true;
   }
   run_flood(*to_goal_, most);
   run_flood(*from_start_, most);
@@ -280,10 +297,10 @@ NoDriveFound::Why HybridPortfolio::why_none() const {
   const auto enclosed = [&](const HybridGoal& goal) {
     return !goal.any_heading && is_enclosed(space, goal.pose, start_);
   };
-  if (to_goal_ && to_goal_->is_small() && std::ranges::all_of(goals_, enclosed)) {
+  if (flooded_ && to_goal_->is_small() && std::ranges::all_of(goals_, enclosed)) {
     return NoDriveFound::Why::goal_boxed_in;
   }
-  if (from_start_ && from_start_->is_small() && goals_.size() == 1 && !goals_.front().any_heading &&
+  if (flooded_ && from_start_->is_small() && goals_.size() == 1 && !goals_.front().any_heading &&
       is_enclosed(space, start_, goals_.front().pose)) {
     return NoDriveFound::Why::start_boxed_in;
   }
@@ -315,8 +332,10 @@ void HybridPortfolio::end() {
     const bool needed = member.search.get() == finder_ || &member == &members_[direct];
     if (!needed && metrics.generated > kMostKept) member = {};
   }
-  to_goal_.reset();
-  from_start_.reset();
+  for (auto* const flood : {&to_goal_, &from_start_}) {
+    if (*flood && (*flood)->size() > kMostKept) flood->reset();
+  }
+  flooded_ = false;
   limits_ = nullptr;
 }
 

@@ -98,6 +98,7 @@ class HybridPortfolio {
   static Squares squares_of(Kind kind);
   HybridResolution resolution_of(Kind kind) const;
   double shuffle_length() const;
+  bool may_shuffle() const;
   HybridResolution shuffle_resolution(double finer) const;
   const CoarseGrid& grid_of(Squares squares);
   HybridSearch& search_of(Kind kind);
@@ -127,6 +128,7 @@ class HybridPortfolio {
   std::array<Member, kKinds> members_;
   std::unique_ptr<PoseFlood> to_goal_;
   std::unique_ptr<PoseFlood> from_start_;
+  bool flooded_ = false;  // do the floods run in this query?
   const HybridSearch* finder_ = nullptr;
   Pose start_;
   std::span<const HybridGoal> goals_;

@@ -35,8 +35,8 @@ class PoseFlood {
   bool has_ended() const { return closer_ && next_ == poses_.size(); }
   /// Has it ended after few poses?
   bool is_small() const { return small_ && has_ended(); }
-  /// How closely it looks now.
-  const HybridResolution& resolution() const { return resolution_; }
+  /// How many poses it has reached, looking as closely as it does now.
+  std::size_t size() const { return poses_.size(); }
 
  private:
   void begin_at(const HybridResolution& resolution);

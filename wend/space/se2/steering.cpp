@@ -7,8 +7,9 @@ namespace wend {
 namespace {
 
 constexpr std::size_t kMostCurves = 8;
-constexpr std::size_t kTurnsAndDrives = 2;  // of a robot that turns in place: ahead and in reverse
-constexpr double kNothing = 1e-9;           // cells or radians that need no motion
+constexpr std::size_t kTurnsAndDrives =
+    2;                             // connections without arcs of a robot that turns in place
+constexpr double kNothing = 1e-9;  // cells or radians that need no motion
 
 /// Appends a motion to a connection that has room for it.
 void append(Connection& connection, const Motion& motion) {
@@ -28,6 +29,22 @@ int insert(const Connection& connection, int count, std::span<Connection> list) 
   list[place] = connection;
   return std::min(count + 1, static_cast<int>(list.size()));
 }
+
+/// Turns to a heading, drives a line or an arc from there to the point of `to`, and turns to its heading. `ahead`: in
+/// the direction of 1 ahead or -1 in reverse.
+Connection by_way_of(const Pose& from, const Pose& to, int ahead, double heading) {
+  const double length = straight_distance(from.point(), to.point());
+  const double towards = arc_tangent(ahead * (to.y - from.y), ahead * (to.x - from.x));
+  const double turn = 2 * wrapped_angle(towards - heading);
+  Connection connection;
+  append(connection, {0, wrapped_angle(heading - from.heading), 0});
+  append(connection, {ahead * length / chord_share(turn), std::abs(turn) < kNothing ? 0 : turn, 0});
+  append(connection, {0, wrapped_angle(to.heading - heading - turn), 0});
+  return connection;
+}
+
+/// Is a motion more than a half circle?
+bool is_detour(const Motion& motion) { return std::abs(motion.turn) > kPi && motion.length != 0; }
 
 }  // namespace
 
@@ -132,25 +149,31 @@ int Steering::connect_simply(const Pose& from, const Pose& to, int gear, double 
   return take(wanted.first(static_cast<std::size_t>(words)), gear, 0, connections);
 }
 
-/// Turns towards the point, or away from it, drives there, and turns to the heading.
+/// Drives to the point in a line between two turns in place, or in an arc before or behind one: ahead and in reverse.
 int Steering::turn_and_drive(const Pose& from, const Pose& to, int gear, double bound,
                              std::span<Connection> connections) const {
-  const double length = straight_distance(from.point(), to.point());
   int count = 0;
-  for (const int direction : {1, -1}) {
-    const double heading =
-        length < kNothing ? from.heading
-                          : arc_tangent(direction * (to.y - from.y), direction * (to.x - from.x));
-    Connection connection;
-    append(connection, {0, wrapped_angle(heading - from.heading), 0});
-    append(connection, {direction * length, 0, 0});
-    append(connection, {0, wrapped_angle(to.heading - heading), 0});
-    connection.cost = gear * direction < 0 && length >= kNothing ? costs_.gear_change : 0;
+  const auto offer = [&](Connection connection) {
+    connection.cost = 0;
     for (const Motion& motion : connection.all()) {
       connection.cost += cost(motion, std::abs(motion.length));
+      if (gear * gear_of(motion) < 0) connection.cost += costs_.gear_change;
+      if (is_detour(motion)) return;
     }
     if (connection.cost < bound) count = insert(connection, count, connections);
-    if (length < kNothing) break;
+  };
+  if (straight_distance(from.point(), to.point()) < kNothing) {
+    Connection turn;
+    append(turn, {0, wrapped_angle(to.heading - from.heading), 0});
+    offer(turn);
+    return count;
+  }
+  for (const int ahead : {1, -1}) {
+    const double towards = arc_tangent(ahead * (to.y - from.y), ahead * (to.x - from.x));
+    offer(by_way_of(from, to, ahead, towards));
+    if (connections.size() <= kTurnsAndDrives) continue;
+    offer(by_way_of(from, to, ahead, from.heading));
+    offer(by_way_of(from, to, ahead, wrapped_angle(2 * towards - to.heading)));
   }
   return count;
 }

@@ -48,8 +48,9 @@ class Steering {
   /// The cost of a motion whose way costs `way`, without changes of gear. O(1).
   double cost(const Motion& motion, double way) const;
 
-  /// The cheapest connections, of a robot that turns in place also by curves if more than two are asked for, that cost less than `bound`, sorted by cost; returns how many. `gear` is that of the
-  /// motion before.
+  /// The cheapest connections that cost less than `bound`, sorted by cost; returns how many. `gear` is that of the
+  /// motion before. A robot that turns in place drives lines between its turns; if more than two connections are asked
+  /// for, also arcs of every radius before or behind a turn, and curves of arcs and lines without one.
   int connect(const Pose& from, const Pose& to, int gear, double bound,
               std::span<Connection> connections) const;
   /// The same, but for cars only a line between two arcs, all ahead or all in reverse: cheaper to compute.

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "wend/base/random.hpp"
@@ -77,6 +79,29 @@ TEST(SteeringOfADifferentialDrive, TakesArcsThatCostNoLessThanTheirTurn) {
   EXPECT_EQ(arcs, 4);
   EXPECT_DOUBLE_EQ(steering.cost({1e-3, 1, 0}, 1e-3), kCosts.spin);
   EXPECT_DOUBLE_EQ(steering.cost({5, 1, 0}, 5), 6);
+}
+
+TEST(SteeringOfADifferentialDrive, TakesArcsOfEveryRadius) {
+  const Steering steering(DriveKind::differential, 3, kCosts);
+  for (const double radius : {0.5, 2.0, 7.0, 90.0}) {
+    for (const double turn : {0.3, 1.5}) {
+      for (const int side : {1, -1}) {
+        for (const int ahead : {1, -1}) {
+          const Motion arc{ahead * radius * turn, side * turn, 0};
+          const Pose from{1, 2, 0.4};
+          std::array<Connection, 8> all;
+          const int count = steering.connect(from, pose_after(from, arc), 0, 1e9, all);
+          EXPECT_TRUE(std::ranges::any_of(std::span(all).first(static_cast<std::size_t>(count)),
+                                          [&](const Connection& connection) {
+                                            return connection.count == 1 &&
+                                                   std::abs(connection.motions[0].length -
+                                                            arc.length) < 1e-6;
+                                          }))
+              << "radius " << radius << ", turn " << side * turn;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
