@@ -33,10 +33,15 @@ inline std::string random_value(Random& random, const OptionInfo& option) {
   return format_number(std::clamp(number, option.least, option.greatest));
 }
 
-/// About half of the options given, under their name or an alias.
+/// About half of the options given, under their name or an alias. A budget of time never ends a search: what it ends
+/// would differ from run to run.
 inline OptionValues random_options(Random& random, const std::vector<OptionInfo>& schema) {
   OptionValues values;
   for (const OptionInfo& option : schema) {
+    if (option.name == "time_budget") {
+      values.emplace_back(option.name, format_number(option.greatest));
+      continue;
+    }
     if (random.chance(0.4)) continue;
     const bool by_alias = !option.aliases.empty() && random.chance(0.5);
     const std::string& name =

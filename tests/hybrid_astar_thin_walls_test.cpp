@@ -125,9 +125,10 @@ TEST(ThinWallsWithSlits, AreNotCrossedByARobotWiderThanItsDisc) {
                                            {.footprint = robot, .outside = OutsidePolicy::blocked});
   for (const double length : {0.0, 6.0, 40.0}) {
     SCOPED_TRACE(fmt::format("motions of {} cells", length));
-    const auto planner =
-        *make_planner("hybrid_astar", space,
-                      {{"turning_radius", "2"}, {"motion_length", fmt::format("{}", length)}});
+    const auto planner = *make_planner("hybrid_astar", space,
+                                       {{"turning_radius", "2"},
+                                        {"motion_length", fmt::format("{}", length)},
+                                        {"time_budget", "1000"}});
     const auto plan = planner->plan({{4.5, 12.5, 0}, {Goal(Pose{20.5, 12.5, 0})}});
     ASSERT_FALSE(plan);
     EXPECT_EQ(plan.error().status, Status::unreachable);

@@ -355,7 +355,7 @@ TEST(Snippets, OfWidestPathAndNoPath) {
 }
 
 void suggest_radius(double radius) {
-  reported = radius < 12 ? "a smaller radius" : "something else";
+  reported = radius < 200 ? "a smaller radius" : "something else";
 }
 
 TEST(Snippets, OfHybridAStarOptions) {
@@ -374,7 +374,7 @@ TEST(Snippets, OfNoDrive) {
                              {.footprint = *wend::parse_footprint("1,1.2; 1,-1.2; -1,-1.2; -1,1.2"),
                               .outside = wend::OutsidePolicy::blocked});
   const wend::Query query{{1.5, 7.5, -wend::kPi / 2}, {wend::Goal(wend::Pose{10, 1.5, 0})}};
-  const auto why = wend::explain_no_drive(space, query, {.turning_radius = 12});
+  const auto why = wend::explain_no_drive(space, query, {.turning_radius = 200});
   if (why && why->turning_radius) suggest_radius(*why->turning_radius);
   EXPECT_EQ(reported, "a smaller radius");
 }

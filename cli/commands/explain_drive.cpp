@@ -60,7 +60,7 @@ std::string DriveAnswer::headline() const {
   const std::string between =
       fmt::format("from start {} to goal {}", ends.start.text, ends.goals[0].text);
   if (drive_exists()) return folded("there is a drive " + between, kHeadlineColumns) + "\n";
-  const char* found = is_limit(why_.status) ? "found no drive " : "there is no drive ";
+  const char* found = why_.certain ? "there is no drive " : "found no drive ";
   return folded(found + between, kHeadlineColumns) + "\n";
 }
 

@@ -416,7 +416,7 @@ class FreeSpace:
     @named_types
     def explain_drive(self, start: Pose, goal: Pose, **options: object) -> DriveExplanation:
         """Why ``hybrid_astar`` finds no drive, and what would open one: a smaller footprint or turning radius, or reverse
-        gear. Up to 20 searches of 20,000 expansions each; Ctrl-C stops them.
+        gear. The first search is that of ``plan``; up to 20 more have 20,000 expansions each. Ctrl-C stops them.
 
         :param start: (x, y, heading).
         :param goal: (x, y, heading) or (x, y), with any heading.

@@ -16,6 +16,11 @@ bool is_about_ends(Status status) {
          status == Status::unsupported_query;
 }
 
+bool is_limit_of_search(Status status) {
+  return status == Status::expansion_limit || status == Status::time_limit ||
+         status == Status::cancelled;
+}
+
 bool is_blocked(Status status) {
   return status == Status::start_blocked || status == Status::goal_blocked;
 }
@@ -30,7 +35,7 @@ class DriveTrials {
  public:
   DriveTrials(const FreeSpace& space, const Query& query, const HybridAStarOptions& options,
               std::uint64_t expansions)
-      : space_(space), query_(query), options_(options) {
+      : space_(space), query_(query), options_(options), asked_limits_(query.limits) {
     query_.observer = nullptr;
     query_.limits = {};
     query_.limits.expansions = expansions;
@@ -45,8 +50,13 @@ class DriveTrials {
     NoDrive why;
     auto planner = make_planner(space_, options_);
     if (!planner) return Unexpected<Error>(std::move(planner.error()));
-    why.status = plan(**planner);
-    if (why.status != Status::found) why.reason = (*planner)->reason(query_, why.status);
+    Query asked = query_;
+    asked.limits = asked_limits_;
+    why.status = plan(**planner, asked);
+    if (why.status == Status::found) return why;
+    why.reason = (*planner)->reason(asked, why.status);
+    if (why.reason.empty()) why.reason = describe(why.status);
+    why.certain = !is_limit_of_search(why.status) && expanded_ == 0;
     return why;
   }
 
@@ -77,15 +87,15 @@ class DriveTrials {
   }
 
  private:
-  Status plan(Planner& planner) {
-    const auto found = planner.plan(query_);
+  Status plan(Planner& planner, const Query& query) {
+    const auto found = planner.plan(query);
     expanded_ += found ? found->metrics.expanded : found.error().metrics.expanded;
     return found ? Status::found : found.error().status;
   }
 
   bool finds(const FreeSpace& space, const HybridAStarOptions& options) {
     const auto planner = make_planner(space, options);
-    return planner && plan(**planner) == Status::found;
+    return planner && plan(**planner, query_) == Status::found;
   }
 
   /// The largest share of the asked value for which finds() holds, by bisection: that of 1 does not.
@@ -104,6 +114,7 @@ class DriveTrials {
   const FreeSpace& space_;
   Query query_;
   HybridAStarOptions options_;
+  Limits asked_limits_;
   std::uint64_t expanded_ = 0;
 };
 

@@ -3,10 +3,11 @@
 // NoDrive: why hybrid_astar finds no drive between two poses, as data: the narrowest place of the widest way, the
 // largest robot of the same shape and the largest turning radius with which it finds one, and whether reversing helps.
 //
-// Each answer is that of a planner: the drive for the smaller robot was found, not estimated. The planner is complete
-// only at its resolution, and each of its searches ends at a limit, so a larger robot or radius may do as well.
+// Each answer is that of a planner: the drive for the smaller robot was found, not estimated. The first search is that of
+// `plan`, with the limits of the query. The planner is complete only at its resolution, and the searches for what would
+// help end at a limit, so a larger robot or radius may do as well.
 //
-//   const auto why = wend::explain_no_drive(space, query, {.turning_radius = 12});
+//   const auto why = wend::explain_no_drive(space, query, {.turning_radius = 200});
 //   if (why && why->turning_radius) suggest_radius(*why->turning_radius);
 
 #include <cstdint>
@@ -25,6 +26,7 @@ namespace wend {
 
 struct NoDrive {
   Status status = Status::found;  // of the query as it is asked; found: there is a drive after all
+  bool certain = false;           // no drive exists: an end is blocked, or obstacles part them
   std::string reason;             // the same in words, in cells; empty if there is a drive
 
   /// The widest way of a disc from the start to the first goal, through the middles of cells, and its narrowest place.
@@ -49,9 +51,10 @@ struct NoDrive {
   bool drive_exists() const { return status == Status::found; }
 };
 
-/// Plans the query with these options, and, if no drive is found, with changes of them, at most 20 times in all. Each
-/// search ends after `expansions`, so the answer does not depend on time. The limits and the observer of the query
-/// do not count, but Limits::cancel does: then the status is cancelled. Fails as making the planner does.
+/// Plans the query with these options and its own limits, as `plan` does, and, if no drive is found, with changes of
+/// them, at most 20 times in all. Each search of a change ends after `expansions`, so the answer depends on time only if
+/// the first search does. The observer of the query is not told. If Limits::cancel is set, the status is cancelled.
+/// Fails as making the planner does.
 WEND_API Expected<NoDrive, Error> explain_no_drive(const FreeSpace& space, const Query& query,
                                                    const HybridAStarOptions& options = {},
                                                    std::uint64_t expansions = 20'000);

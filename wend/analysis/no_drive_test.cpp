@@ -108,7 +108,9 @@ TEST(ExplainNoDrive, KnowsThatTurningDoesNotHelpSidewaysInAPocket) {
   const HybridAStarOptions car{.turning_radius = 3};
   const NoDrive why = explained(pocket, query, car);
   EXPECT_EQ(why.status, Status::unreachable);
-  EXPECT_NE(why.reason.find("the goal (6,7,0deg) is boxed in"), std::string::npos) << why.reason;
+  // A robot that slides sideways could leave: nothing proves that no drive exists.
+  EXPECT_NE(why.reason.find("was found at this resolution"), std::string::npos) << why.reason;
+  EXPECT_FALSE(why.certain);
   ASSERT_TRUE(why.footprint_scale);
   EXPECT_LT(*why.footprint_scale, 1);
   EXPECT_TRUE(drives(scaled_space(pocket, *why.footprint_scale), query, car));

@@ -99,7 +99,11 @@ std::string Explainer::explain(const Planner& planner, const Query& query, const
       (status == Status::start_blocked ? ways_out(planner, query) : std::string()) +
       nearest_beyond_limit(planner, query, status);
   if (planner.grid_moves()) return explain(query, ends, status, metrics) + out;
-  if (is_limit(status)) return stopped(status, query.limits, metrics);
+  if (is_limit(status)) {
+    const std::string own = planner.reason(query, status);
+    if (own.empty()) return stopped(status, query.limits, metrics);
+    return as_asked(ends, planner.corner_unit()) + own;
+  }
   const int unit = planner.corner_unit();
   if (status == Status::start_outside || status == Status::goal_outside) {
     const Place& place = status == Status::start_outside ? ends.start : ends.goals.front();
@@ -378,6 +382,9 @@ std::string Explainer::stopped(Status status, const Limits& limits,
       return "stopped after " + expansions +
              in_brackets(hints_.limit_expansions, std::to_string(limits.expansions));
     case Status::time_limit:
+      if (std::isinf(limits.seconds)) {
+        return "stopped after " + expansions + ", at the planner's own limit on CPU time";
+      }
       return "stopped after " + format_number(limits.seconds) + " s and " + expansions +
              in_brackets(hints_.limit_seconds, format_number(limits.seconds));
     case Status::cancelled:

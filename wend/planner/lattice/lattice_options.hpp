@@ -61,7 +61,7 @@ void anytime_fields(Weight& initial_weight, Weight& weight_step, Field&& field) 
 struct CarOptions {
   static constexpr std::string_view kPlanner = "car";  // its name
 
-  CarDriving driving = {};    // the lattice, and the costs of moves
+  CarDriving driving = {.reverse_factor = 2};  // the lattice, and the costs of moves
   double turning_radius = 0;  // metres; if above 0, it sets the lattice resolution instead
   CarHeuristic heuristic = CarHeuristic::headings;  // the estimate of the cost to the goal
   double weight = 1;                                // w >= 0 in f = g + w h: 0 is Dijkstra

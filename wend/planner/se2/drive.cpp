@@ -109,9 +109,18 @@ void DriveShortener::connect(std::size_t from, std::size_t to) {
   knots_[to] = knot;
 }
 
+/// A knot keeps one way, whose gear may cost a change behind it, and a motion in pieces samples the ground at other
+/// places than the whole: so costs are compared at the end.
 void DriveShortener::shorten(Drive& drive) {
   if (drive.empty()) return;
+  before_ = drive;
   cut(drive);
+  take_cheapest(drive);
+  join(drive);
+  if (cost_of(drive, check_, steering_) > cost_of(before_, check_, steering_)) drive = before_;
+}
+
+void DriveShortener::take_cheapest(Drive& drive) {
   knots_.clear();
   for (const DrivenMotion& piece : pieces_) knots_.push_back({piece.from});
   knots_.push_back({pose_after(pieces_.back().from, pieces_.back().motion)});

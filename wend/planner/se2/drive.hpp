@@ -35,7 +35,7 @@ class DriveShortener {
   DriveShortener(const MotionCheck& check, const Steering& steering, double spacing)
       : check_(check), steering_(steering), spacing_(spacing) {}
 
-  /// The ends stay, and the drive costs at most as much.
+  /// The ends stay, and the drive costs at most as much as before.
   void shorten(Drive& drive);
 
  private:
@@ -50,6 +50,7 @@ class DriveShortener {
   };
 
   void cut(const Drive& drive);
+  void take_cheapest(Drive& drive);
   void go_along(std::size_t from);
   void connect(std::size_t from, std::size_t to);
   bool is_worth(std::size_t from, std::size_t to, double cost) const;
@@ -58,6 +59,7 @@ class DriveShortener {
   const Steering& steering_;
   double spacing_;
   Drive pieces_;
+  Drive before_;
   std::vector<Knot> knots_;
 };
 

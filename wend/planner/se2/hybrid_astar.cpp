@@ -37,7 +37,8 @@ PlannerInfo hybrid_astar_planner() {
           "each motion.",
       .citation = "Dolgov, Thrun, Montemerlo, Diebel 2010; Reeds, Shepp 1990",
       .guarantee_text =
-          "the path is free and drivable; it fails only if its finest boxes and motions, and a "
+          "the path is free and drivable; it fails if its time_budget is used, or its finest boxes "
+          "and motions, and a "
           "lattice of half cells, find no path, which may exist all the same; a path may cost some "
           "percent more than the best",
       .time = "O(n log n) in the n poses expanded; the heuristic O(m) in the squares it reaches",

@@ -28,6 +28,7 @@ struct HybridAStarOptions {
   double motion_length =
       0;                 // metres, length of the motions of the search; 0: half the turning radius
   double weight = 1.03;  // w >= 0 in f = g + w h
+  double time_budget = 2;  // seconds of CPU time, for queries without a limit of their own
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -55,6 +56,10 @@ struct HybridAStarOptions {
           self.motion_length, OptionRange{0, 1e6});
     field({"weight", "w in f = g + w h: above 1 it searches less, and paths may cost more"},
           self.weight, OptionRange{1, 100});
+    field(
+        {"time_budget",
+         "CPU time in seconds after which a query without a limit of its own ends with time_limit"},
+        self.time_budget, OptionRange{0.001, 1e6});
   }
 };
 

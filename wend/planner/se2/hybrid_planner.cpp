@@ -33,7 +33,11 @@ Steering steering_for(const FreeSpace& space, const HybridAStarOptions& options)
 HybridResolution resolution_for(const FreeSpace& space, const Steering& steering,
                                 const HybridAStarOptions& options) {
   const double metre = 1 / space.map().frame().resolution;
-  const double automatic = steering.radius() > 0 ? steering.radius() / 2 : 0.2 * metre;
+  // In a room that is small beside the turning circle, motions are as long as the room allows.
+  constexpr double kParts = 8;
+  const double room = std::max(space.width(), space.height()) / kParts;
+  const double automatic =
+      steering.radius() > 0 ? std::min(steering.radius() / 2, room) : 0.2 * metre;
   HybridResolution resolution;
   resolution.step =
       options.motion_length > 0 ? options.motion_length * metre : std::max(1.0, automatic);
@@ -189,7 +193,8 @@ Status HybridPlanner::do_plan(const Query& query, Plan& out) {
   if (!search_) {
     constexpr double kSpacing = 4;  // of the poses between which a drive is shortened, in steps
     const HybridResolution resolution = resolution_for(free_space(), steering_, options_);
-    search_ = std::make_unique<HybridPortfolio>(ground_, steering_, resolution);
+    search_ = std::make_unique<HybridPortfolio>(ground_, steering_, resolution,
+                                                HybridBudget{.seconds = options_.time_budget});
     shortener_ =
         std::make_unique<DriveShortener>(ground_->check(), steering_, kSpacing * resolution.step);
   }
@@ -204,8 +209,8 @@ Status HybridPlanner::do_plan(const Query& query, Plan& out) {
 
 void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& out) {
   finder.write_path(drive_);
-  shortener_->shorten(drive_);
   join(drive_);
+  shortener_->shorten(drive_);
   out.path.drive_to(query.start);
   for (const DrivenMotion& driven : drive_) {
     const double turn = std::abs(driven.motion.turn);
@@ -277,6 +282,9 @@ std::string HybridPlanner::do_reason(const Query& query, Status status) const {
       return reason_of_blocked_goal(free_space(), query);
     case Status::unreachable:
       return reason_of_no_drive(why_no_drive(query), free_space(), query);
+    case Status::time_limit:
+      if (query.limits.timed()) return {};
+      return reason_of_time_budget(options_.time_budget, query);
     default:
       return {};
   }

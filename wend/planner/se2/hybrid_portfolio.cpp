@@ -1,8 +1,12 @@
 #include "wend/planner/se2/hybrid_portfolio.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "wend/base/cpu_time.hpp"
+#include "wend/planner/se2/enclosure.hpp"
 #include "wend/space/se2/coarse_size.hpp"
 
 namespace wend {
@@ -14,23 +18,42 @@ constexpr std::uint64_t kFirstFlood = 1000;
 constexpr std::uint64_t kFloodGrowth = 4;
 constexpr int kFiner = 2;                          // than the other searches: fine
 constexpr std::uint64_t kMostOnLattice = 100'000;  // expansions of the last search
+constexpr std::uint64_t kMostShuffles = 1000;      // expansions of each search of shuffles
+constexpr std::uint64_t kMostInPocket = 4000;      // the same where a flood from its end ends soon
 constexpr double kNarrow = 0.75;                   // room beside the robot, in steps
 constexpr float kNarrowFactor = 4;
+constexpr std::uint64_t kMostKept = 50'000;  // poses of a search that keeps its memory
 
 }  // namespace
 
 HybridPortfolio::HybridPortfolio(std::shared_ptr<const HybridGround> ground,
                                  const Steering& steering, const HybridResolution& resolution,
-                                 std::uint64_t most_expansions)
+                                 HybridBudget budget)
     : ground_(std::move(ground)),
       steering_(steering),
       resolution_(resolution),
-      most_expansions_(most_expansions),
-      ring_(steering_) {}
+      budget_(std::move(budget)),
+      ring_(steering_) {
+  if (!budget_.clock) budget_.clock = cpu_seconds;
+}
+
+bool HybridPortfolio::from_goal(Kind kind) {
+  return kind == backward || kind == shuffle_backward || kind == close_shuffle_backward ||
+         kind == lattice_backward;
+}
+
+HybridPortfolio::Squares HybridPortfolio::squares_of(Kind kind) {
+  if (kind == direct) return quick;
+  if (kind == backward) return closer;
+  return kind == wide ? closer_and_wide : finest;
+}
 
 HybridResolution HybridPortfolio::resolution_of(Kind kind) const {
+  constexpr double kCloser = 2;
   HybridResolution resolution = resolution_;
   if (kind < fine) return resolution;
+  if (kind == shuffle || kind == shuffle_backward) return shuffle_resolution(1);
+  if (kind == close_shuffle || kind == close_shuffle_backward) return shuffle_resolution(kCloser);
   resolution = times_finer(resolution, kFiner);
   resolution.trace_spacing *= 0.4;
   resolution.trace_period = 2;
@@ -41,159 +64,279 @@ HybridResolution HybridPortfolio::resolution_of(Kind kind) const {
   return resolution;
 }
 
-/// The size of the coarse squares, in steps. Large ones are quick; where the first search finds nothing, the
-/// robot passes close to walls, and smaller ones know better how.
-double HybridPortfolio::squares_of(Kind kind) {
-  constexpr double kQuick = 1.5;
-  constexpr double kCloser = 0.75;
-  if (kind == direct) return kQuick;
-  return kind < fine ? kCloser : 1;
+/// The length of motions to and fro, by that of the robot.
+double HybridPortfolio::shuffle_length() const {
+  constexpr double kOfRadius = 1.45;  // of the circumscribed disc: about the length of a car
+  constexpr double kMostRadii = 3;
+  const double radius = steering_.radius() > 0 ? steering_.radius() : resolution_.step;
+  const double robot = kOfRadius * ground_->free_space().radius_in_cells();
+  return robot > 1 ? std::min(kMostRadii * radius, robot) : radius;
 }
 
-void HybridPortfolio::make(Kind kind) {
-  Member& member = members_[kind];
+/// A robot of a cell slips through wherever its searches in boxes do; one with a far larger radius gains nothing.
+bool HybridPortfolio::may_shuffle() const {
+  constexpr double kMostLengths = 50;
+  return ground_->free_space().radius_in_cells() > 1 &&
+         steering_.radius() <= kMostLengths * shuffle_length();
+}
+
+/// To and fro the robot gains little with each motion: the boxes have to be smaller than that, or no pose is new.
+HybridResolution HybridPortfolio::shuffle_resolution(double finer) const {
+  constexpr double kParts = 20;      // of the length: steps
+  constexpr double kBoxes = 120;     // of the length: boxes
+  constexpr double kTurnParts = 1;   // boxes of headings in the turn of a step
+  constexpr double kLeastBox = 0.5;  // of these, where the radius is large
+  constexpr double kMostHeadings = 4096;
+  constexpr double kLeastHeadings = 72;
+  const double radius = steering_.radius() > 0 ? steering_.radius() : resolution_.step;
+  const double length = shuffle_length();
+  HybridResolution resolution = resolution_;
+  resolution.step = length / kParts / finer;
+  resolution.position = length / kBoxes / finer * std::clamp(1.2 * length / radius, kLeastBox, 1.0);
+  resolution.headings = static_cast<int>(
+      std::clamp(2 * kPi * radius / resolution.step * kTurnParts, kLeastHeadings, kMostHeadings));
+  resolution.weight = 20;
+  resolution.to_contact = true;
+  return resolution;
+}
+
+/// Large squares are quick; where the first search finds nothing, the robot passes close to walls, and smaller ones
+/// know better how.
+const CoarseGrid& HybridPortfolio::grid_of(Squares squares) {
+  constexpr std::array<double, kSquares> kSteps{1.5, 0.75, 0.75, 0.5};
+  auto& grid = grids_[squares];
+  if (grid) return *grid;
   const FreeSpace& space = ground_->free_space();
-  const HybridResolution resolution = resolution_of(kind);
-  const double most = squares_of(kind) * resolution.step;
-  const CoarseGrid* const alike = kind == wide ? members_[backward].grid.get() : nullptr;
-  if (alike != nullptr) {
-    member.grid = std::make_unique<CoarseGrid>(*alike);
-  } else {
-    const BitGrid& cells = kind >= fine ? ground_->drivable() : space.possible();
-    member.grid = std::make_unique<CoarseGrid>(space, cells, coarse_size(space, cells, most));
+  if (squares == closer_and_wide) {
+    grid = std::make_unique<CoarseGrid>(grid_of(closer));
+    grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
+    return *grid;
   }
-  if (kind == wide) {
-    member.grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
-  }
-  const bool from_goal = kind == backward || kind == lattice_backward;
-  const auto direction =
-      from_goal ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
-  member.search =
-      std::make_unique<HybridSearch>(ground_->check(), steering_, ring_, *member.grid, resolution,
-                                     direction, kind >= lattice ? lattice_.get() : nullptr);
+  const BitGrid& cells = squares == finest ? ground_->drivable() : space.possible();
+  const double most = kSteps[squares] * resolution_.step;
+  grid = std::make_unique<CoarseGrid>(space, cells, coarse_size(space, cells, most));
+  return *grid;
 }
 
-std::optional<SearchOutcome> HybridPortfolio::stopped(const Limits& limits, double end) const {
-  if (limits.cancel != nullptr && *limits.cancel) return SearchOutcome::cancelled;
-  if (limits.timed() && limits.now() >= end) return SearchOutcome::time_limit;
-  if (metrics().expanded >= limit_) return SearchOutcome::expansion_limit;
-  return std::nullopt;
-}
-
-SearchOutcome HybridPortfolio::run_member(Kind kind, std::uint64_t most, const Limits& limits,
-                                          double end) {
+HybridSearch& HybridPortfolio::search_of(Kind kind) {
   Member& member = members_[kind];
+  if (!member.search) {
+    const auto direction =
+        from_goal(kind) ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
+    member.search = std::make_unique<HybridSearch>(
+        ground_->check(), steering_, ring_, grid_of(squares_of(kind)), resolution_of(kind),
+        direction, kind >= lattice ? lattice_.get() : nullptr);
+  }
   if (!member.begun) {
-    if (!member.search) make(kind);
     member.search->begin(start_, goals_, observer_);
     member.begun = true;
   }
-  const std::uint64_t begun = member.search->metrics().expanded;
-  while (member.search->metrics().expanded - begun < most || member.search->has_path()) {
-    if (const auto outcome = stopped(limits, end)) return *outcome;
-    constexpr std::uint64_t kAtOnce = 64;
-    const std::uint64_t left = limit_ - metrics().expanded;
-    const SearchOutcome outcome = member.search->run(std::min(kAtOnce, left));
+  return *member.search;
+}
+
+std::uint64_t HybridPortfolio::expanded() const {
+  std::uint64_t sum = 0;
+  for (const Member& member : members_) {
+    if (member.begun) sum += member.search->metrics().expanded;
+  }
+  return sum;
+}
+
+std::optional<SearchOutcome> HybridPortfolio::stopped() const {
+  if (limits_->cancel != nullptr && *limits_->cancel) return SearchOutcome::cancelled;
+  if (limits_->timed() && limits_->now() >= end_seconds_) return SearchOutcome::time_limit;
+  if (expanded() >= limit_) return SearchOutcome::expansion_limit;
+  if (budget_.clock() >= budget_end_) return SearchOutcome::time_limit;
+  return std::nullopt;
+}
+
+SearchOutcome HybridPortfolio::run_member(Kind kind, std::uint64_t most) {
+  if (const auto outcome = stopped()) return *outcome;
+  HybridSearch& search = search_of(kind);
+  const std::uint64_t begun = search.metrics().expanded;
+  while (search.metrics().expanded - begun < most || search.has_path()) {
+    if (const auto outcome = stopped()) return *outcome;
+    constexpr std::uint64_t kAtOnce = 32;
+    const SearchOutcome outcome = search.run(std::min(kAtOnce, limit_ - expanded()));
     if (outcome != SearchOutcome::running) return outcome;
   }
   return SearchOutcome::running;
 }
 
-/// Does the flood at one end leave no pose? A limit of the query ends the flood's turn, and then the next search.
-bool HybridPortfolio::ends(PoseFlood& flood, NoDriveFound::Why boxed_in, std::uint64_t most,
-                           const Limits& limits, double end) {
-  constexpr std::uint64_t kAtOnce = 256;
-  for (std::uint64_t done = 0; done < most && !stopped(limits, end); done += kAtOnce) {
-    if (!flood.run(kAtOnce)) continue;
-    no_drive_ = {flood.is_small() ? boxed_in : NoDriveFound::Why::none_found, flood.resolution()};
-    return true;
-  }
-  return false;
-}
-
-bool HybridPortfolio::is_boxed_in(std::uint64_t most, const Limits& limits, double end) {
-  using Direction = PoseFlood::Direction;
-  using Why = NoDriveFound::Why;
-  if (!to_goal_) {
-    const MotionCheck& check = ground_->check();
-    to_goal_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::to_goal);
-    from_start_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::from_start);
-  }
-  if (most == kFirstFlood) {
-    to_goal_->begin(goals_);
-    from_start_->begin(start_);
-  }
-  return ends(*to_goal_, Why::goal_boxed_in, most, limits, end) ||
-         ends(*from_start_, Why::start_boxed_in, most, limits, end);
-}
-
 /// Runs a search until its turn ends; returns the outcome of the query if it has one.
-std::optional<SearchOutcome> HybridPortfolio::take_turn(Kind kind, std::uint64_t most,
-                                                        const Limits& limits, double end) {
+std::optional<SearchOutcome> HybridPortfolio::take_turn(Kind kind, std::uint64_t most) {
   Member& member = members_[kind];
-  if (member.exhausted) return std::nullopt;
-  const SearchOutcome outcome = run_member(kind, most, limits, end);
-  if (member.search->has_path()) finder_ = member.search.get();
-  if (outcome == SearchOutcome::running) return std::nullopt;
+  if (member.over) return std::nullopt;
+  const SearchOutcome outcome = run_member(kind, most);
+  if (member.begun && member.search->has_path()) finder_ = member.search.get();
+  if (outcome == SearchOutcome::running) {
+    const bool shuffles = kind >= shuffle && kind < lattice;
+    member.over = shuffles && member.search->metrics().expanded >= most_shuffles_;
+    return std::nullopt;
+  }
   if (outcome != SearchOutcome::exhausted) return outcome;
-  member.exhausted = true;
+  member.over = true;
   return std::nullopt;
 }
 
+std::optional<SearchOutcome> HybridPortfolio::take_turns(std::span<const Kind> kinds,
+                                                         std::uint64_t most) {
+  for (const Kind kind : kinds) {
+    if (const auto outcome = take_turn(kind, most)) return outcome;
+  }
+  return std::nullopt;
+}
+
+bool HybridPortfolio::all_over(std::span<const Kind> kinds) const {
+  return std::ranges::all_of(kinds, [this](Kind kind) { return members_[kind].over; });
+}
+
 void HybridPortfolio::begin(const Pose& start, std::span<const HybridGoal> goals,
-                            SearchObserver* observer) {
-  for (Member& member : members_) member.begun = member.exhausted = false;
+                            const Limits& limits, SearchObserver* observer) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  for (Member& member : members_) member.begun = member.over = false;
   finder_ = nullptr;
+  most_shuffles_ = kMostShuffles;
   no_drive_ = {NoDriveFound::Why::none_found, resolution_of(fine)};
   start_ = start;
   goals_ = goals;
+  limits_ = &limits;
   observer_ = observer;
+  const bool counted = limits.expansions < Limits::kUnlimited;
+  limit_ = counted ? limits.expansions : budget_.expansions;
+  end_seconds_ = limits.timed() ? limits.now() + limits.seconds : kNever;
+  budget_end_ = counted || limits.seconds < kNever ? kNever : budget_.clock() + budget_.seconds;
+  const bool one_goal = goals.size() == 1;
+  members_[backward].over = !one_goal || !goals.front().wants_heading();
+  members_[shuffle_backward].over = !one_goal || goals.front().any_heading;
+  members_[close_shuffle_backward].over = members_[shuffle_backward].over;
+  if (may_shuffle()) return;
+  for (std::size_t kind = shuffle; kind < lattice; ++kind) members_[kind].over = true;
 }
 
 SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal> goals,
                                    const Limits& limits, SearchObserver* observer) {
-  begin(start, goals, observer);
-  limit_ = limits.expansions == Limits::kUnlimited ? most_expansions_ : limits.expansions;
-  const bool one_pose = goals.size() == 1 && goals.front().wants_heading();
-  members_[backward].exhausted = !one_pose;
-  const double end = limits.timed() ? limits.now() + limits.seconds : 0;
-  std::uint64_t turn = kFirstTurn;
+  begin(start, goals, limits, observer);
+  const SearchOutcome outcome = take_course();
+  end();
+  return outcome;
+}
+
+SearchOutcome HybridPortfolio::take_course() {
+  constexpr std::array kCoarse{direct, backward, wide, fine};
+  constexpr std::array kFromStart{shuffle, close_shuffle};
+  constexpr std::array kFromGoal{shuffle_backward, close_shuffle_backward};
+  Course course;
   std::uint64_t flooded = kFirstFlood;
-  bool boxed_in = false;
-  bool left = true;
-  while (left && !boxed_in) {
-    left = false;
-    for (const Kind kind : {direct, backward, wide, fine}) {
-      if (const auto outcome = take_turn(kind, turn, limits, end)) return *outcome;
-      left = left || !members_[kind].exhausted;
+  for (std::uint64_t turn = kFirstTurn;; turn *= kGrowth, flooded *= kFloodGrowth) {
+    if (course.coarse) {
+      if (const auto outcome = take_turns(kCoarse, turn)) return *outcome;
+      course.coarse = !all_over(kCoarse);
     }
-    boxed_in = is_boxed_in(flooded, limits, end);
-    turn *= kGrowth;
-    flooded *= kFloodGrowth;
+    if (course.shuffles_due || !course.coarse) {
+      if (course.from_start) {
+        if (const auto outcome = take_turns(kFromStart, turn)) return *outcome;
+        course.from_start = !all_over(kFromStart);
+      }
+      if (course.from_goal) {
+        if (const auto outcome = take_turns(kFromGoal, turn)) return *outcome;
+        course.from_goal = !all_over(kFromGoal);
+      }
+    }
+    course.shuffles_due = true;
+    if (!course.coarse && !course.from_start && !course.from_goal) break;
+    flood(flooded, course);
+    if (const auto outcome = stopped()) return *outcome;
   }
-  const bool from_goal = one_pose && no_drive_.why == NoDriveFound::Why::goal_boxed_in;
-  return search_lattice(from_goal ? lattice_backward : lattice, limits, end);
+  const bool at_goal = flooded_ && to_goal_->is_small();
+  const bool at_start = flooded_ && from_start_->is_small();
+  // Where short motions do not lead a robot of a cell out, those on cells do not either.
+  if ((at_goal || at_start) && !may_shuffle()) {
+    no_drive_.why = why_none();
+    return SearchOutcome::exhausted;
+  }
+  const bool one_pose = goals_.size() == 1 && goals_.front().wants_heading();
+  return search_lattice(one_pose && at_goal ? lattice_backward : lattice);
+}
+
+/// Runs the floods, and leaves out the searches that one of them shows to be of no use.
+void HybridPortfolio::flood(std::uint64_t most, Course& course) {
+  using Direction = PoseFlood::Direction;
+  const MotionCheck& check = ground_->check();
+  if (!to_goal_) {
+    to_goal_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::to_goal);
+  }
+  if (!from_start_) {
+    from_start_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::from_start);
+  }
+  if (!flooded_) {
+    to_goal_->begin(goals_);
+    from_start_->begin(start_);
+    flooded_ = true;
+  }
+  run_flood(*to_goal_, most);
+  run_flood(*from_start_, most);
+  const bool goal_small = to_goal_->is_small();
+  const bool start_small = from_start_->is_small();
+  if (to_goal_->has_ended() || from_start_->has_ended()) course.coarse = false;
+  if (goal_small || start_small) most_shuffles_ = kMostInPocket;
+  if (goal_small && !start_small && !members_[shuffle_backward].over) course.from_start = false;
+  if (start_small && !goal_small) course.from_goal = false;
+}
+
+void HybridPortfolio::run_flood(PoseFlood& flood, std::uint64_t most) {
+  constexpr std::uint64_t kAtOnce = 64;
+  for (std::uint64_t done = 0; done < most && !flood.has_ended() && !stopped(); done += kAtOnce) {
+    if (flood.run(kAtOnce)) return;
+  }
+}
+
+/// A flood that has ended shows where to look for a proof that an end is boxed in.
+NoDriveFound::Why HybridPortfolio::why_none() const {
+  const FreeSpace& space = ground_->free_space();
+  const auto enclosed = [&](const HybridGoal& goal) {
+    return !goal.any_heading && is_enclosed(space, goal.pose, start_);
+  };
+  if (flooded_ && to_goal_->is_small() && std::ranges::all_of(goals_, enclosed)) {
+    return NoDriveFound::Why::goal_boxed_in;
+  }
+  if (flooded_ && from_start_->is_small() && goals_.size() == 1 && !goals_.front().any_heading &&
+      is_enclosed(space, start_, goals_.front().pose)) {
+    return NoDriveFound::Why::start_boxed_in;
+  }
+  return NoDriveFound::Why::none_found;
 }
 
 /// The last search. Where it does not get to its end, the others have.
-SearchOutcome HybridPortfolio::search_lattice(Kind kind, const Limits& limits, double end) {
+SearchOutcome HybridPortfolio::search_lattice(Kind kind) {
   if (!lattice_) lattice_ = std::make_unique<LatticeMotions>(steering_);
-  if (lattice_->empty()) return SearchOutcome::exhausted;
-  const auto outcome = take_turn(kind, kMostOnLattice, limits, end);
-  no_drive_.lattice_searched = members_[kind].exhausted;
+  if (lattice_->empty()) {
+    no_drive_.why = why_none();
+    return SearchOutcome::exhausted;
+  }
+  const auto outcome = take_turn(kind, kMostOnLattice);
+  no_drive_.lattice_searched = members_[kind].over;
+  if (!outcome) no_drive_.why = why_none();
   return outcome.value_or(SearchOutcome::exhausted);
 }
 
-SearchMetrics HybridPortfolio::metrics() const {
-  SearchMetrics sum;
-  for (const Member& member : members_) {
+/// Sums up the work, and frees what has grown large.
+void HybridPortfolio::end() {
+  metrics_ = {};
+  for (Member& member : members_) {
     if (!member.begun) continue;
     const SearchMetrics& metrics = member.search->metrics();
-    sum.expanded += metrics.expanded;
-    sum.generated += metrics.generated;
-    sum.max_frontier = std::max(sum.max_frontier, metrics.max_frontier);
+    metrics_.expanded += metrics.expanded;
+    metrics_.generated += metrics.generated;
+    metrics_.max_frontier = std::max(metrics_.max_frontier, metrics.max_frontier);
+    const bool needed = member.search.get() == finder_ || &member == &members_[direct];
+    if (!needed && metrics.generated > kMostKept) member = {};
   }
-  return sum;
+  for (auto* const flood : {&to_goal_, &from_start_}) {
+    if (*flood && (*flood)->size() > kMostKept) flood->reset();
+  }
+  flooded_ = false;
+  limits_ = nullptr;
 }
 
 double HybridPortfolio::heuristic(const Pose& pose) const {

@@ -1,21 +1,23 @@
 #pragma once
 
-// HybridPortfolio: four hybrid A* searches that take turns until one finds a path. A search that follows the way
-// of a disc can fill a dead end that the robot cannot pass; another heuristic, or finer motions, get past it:
+// HybridPortfolio: hybrid A* searches that take turns until one finds a path. A search that follows the way of a disc
+// can fill a dead end that the robot cannot pass; another heuristic, or finer motions, get past it:
 //
 //   direct   the costs as they are
 //   backward from the goal to the start: where it is difficult to arrive, it is easy to leave
 //   wide     a heuristic that avoids narrow places
 //   fine     smaller boxes and shorter motions
+//   shuffles motions that go on until the robot touches, in small boxes, from either end and at two scales: where
+//            the robot has to drive to and fro, as in a parking slot. They begin where the others have found nothing
 //
 // All but the first have a finer heuristic, too.
 //
-// Two floods run along with them: where the goal or the start is boxed in, one of them ends soon. If a flood or all
-// four searches have ended, a last search looks for a drive between the poses of a lattice, along and across the cells.
-// If it finds none, the answer is that there is no path. A search or a flood is made when a query first needs it.
+// Two floods run along with them. Where the goal or the start is boxed in, or the robot has to shuffle to leave it, one
+// of them ends soon: then only the shuffles from that end go on. If all have ended, a last search looks for a drive
+// between the poses of a lattice, along and across the cells. If it finds none, the answer is that there is no path. A
+// search or a flood is made when a query first needs it; those that have grown large are freed when the query ends.
 //
-// Poses are many, and what is known of each takes memory. So a query without a limit on expansions has one: it ends
-// as expansion_limit, after some 10 s and with some 500 MB.
+// A query without limits of its own ends when it has used its budget of CPU time, or of memory.
 
 #include <array>
 #include <cstdint>
@@ -32,14 +34,17 @@
 
 namespace wend {
 
+/// What a query without limits of its own may use.
+struct HybridBudget {
+  double seconds = 2;                    // of CPU time
+  std::uint64_t expansions = 1'000'000;  // some 500 MB
+  Clock clock = {};                      // measures the seconds; null: cpu_seconds()
+};
+
 class HybridPortfolio {
  public:
-  static constexpr std::uint64_t kMostExpansions = 1'000'000;
-
-  /// `most_expansions` counts for queries without a limit on expansions.
   HybridPortfolio(std::shared_ptr<const HybridGround> ground, const Steering& steering,
-                  const HybridResolution& resolution,
-                  std::uint64_t most_expansions = kMostExpansions);
+                  const HybridResolution& resolution, HybridBudget budget = {});
 
   /// Runs the query to its end. The goals must outlive the run.
   SearchOutcome run(const Pose& start, std::span<const HybridGoal> goals, const Limits& limits,
@@ -48,7 +53,7 @@ class HybridPortfolio {
   /// The search that has found a path; null if none has.
   const HybridSearch* finder() const { return finder_; }
   /// The work of all searches.
-  SearchMetrics metrics() const;
+  SearchMetrics metrics() const { return metrics_; }
 
   /// The heuristic of the first search.
   double heuristic(const Pose& pose) const;
@@ -57,43 +62,83 @@ class HybridPortfolio {
   const NoDriveFound& no_drive() const { return no_drive_; }
 
  private:
-  enum Kind : std::size_t { direct, backward, wide, fine, lattice, lattice_backward };
-  static constexpr std::size_t kKinds = 6;
+  enum Kind : std::size_t {
+    direct,
+    backward,
+    wide,
+    fine,
+    shuffle,
+    shuffle_backward,
+    close_shuffle,
+    close_shuffle_backward,
+    lattice,
+    lattice_backward
+  };
+  static constexpr std::size_t kKinds = 10;
+
+  /// How coarse the squares of a heuristic are.
+  enum Squares : std::size_t { quick, closer, closer_and_wide, finest };
+  static constexpr std::size_t kSquares = 4;
 
   struct Member {
-    std::unique_ptr<CoarseGrid> grid;
     std::unique_ptr<HybridSearch> search;
     bool begun = false;
-    bool exhausted = false;
+    bool over = false;  // it is exhausted, or has had its share
   };
 
-  void make(Kind kind);
+  /// Which searches still have to be asked.
+  struct Course {
+    bool coarse = true;         // the first four
+    bool from_start = true;     // shuffles
+    bool from_goal = true;      // the same
+    bool shuffles_due = false;  // have the others had their first turn?
+  };
+
+  static bool from_goal(Kind kind);
+  static Squares squares_of(Kind kind);
   HybridResolution resolution_of(Kind kind) const;
-  static double squares_of(Kind kind);
-  std::optional<SearchOutcome> stopped(const Limits& limits, double end) const;
-  SearchOutcome run_member(Kind kind, std::uint64_t most, const Limits& limits, double end);
-  std::optional<SearchOutcome> take_turn(Kind kind, std::uint64_t most, const Limits& limits,
-                                         double end);
-  void begin(const Pose& start, std::span<const HybridGoal> goals, SearchObserver* observer);
-  bool ends(PoseFlood& flood, NoDriveFound::Why boxed_in, std::uint64_t most, const Limits& limits,
-            double end);
-  bool is_boxed_in(std::uint64_t most, const Limits& limits, double end);
-  SearchOutcome search_lattice(Kind kind, const Limits& limits, double end);
+  double shuffle_length() const;
+  bool may_shuffle() const;
+  HybridResolution shuffle_resolution(double finer) const;
+  const CoarseGrid& grid_of(Squares squares);
+  HybridSearch& search_of(Kind kind);
+
+  void begin(const Pose& start, std::span<const HybridGoal> goals, const Limits& limits,
+             SearchObserver* observer);
+  std::optional<SearchOutcome> stopped() const;
+  std::uint64_t expanded() const;
+  SearchOutcome run_member(Kind kind, std::uint64_t most);
+  std::optional<SearchOutcome> take_turn(Kind kind, std::uint64_t most);
+  std::optional<SearchOutcome> take_turns(std::span<const Kind> kinds, std::uint64_t most);
+  bool all_over(std::span<const Kind> kinds) const;
+  SearchOutcome take_course();
+  void flood(std::uint64_t most, Course& course);
+  void run_flood(PoseFlood& flood, std::uint64_t most);
+  NoDriveFound::Why why_none() const;
+  SearchOutcome search_lattice(Kind kind);
+  void end();
 
   std::shared_ptr<const HybridGround> ground_;
   Steering steering_;
   HybridResolution resolution_;
-  std::uint64_t most_expansions_;  // without a limit
-  std::uint64_t limit_ = 0;        // of the query
+  HybridBudget budget_;
   GoalRing ring_;
   std::unique_ptr<LatticeMotions> lattice_;
+  std::array<std::unique_ptr<CoarseGrid>, kSquares> grids_;
   std::array<Member, kKinds> members_;
   std::unique_ptr<PoseFlood> to_goal_;
   std::unique_ptr<PoseFlood> from_start_;
+  bool flooded_ = false;  // do the floods run in this query?
   const HybridSearch* finder_ = nullptr;
   Pose start_;
   std::span<const HybridGoal> goals_;
+  const Limits* limits_ = nullptr;
+  double end_seconds_ = 0;           // on the clock of the query
+  double budget_end_ = 0;            // on that of the budget
+  std::uint64_t limit_ = 0;          // expansions
+  std::uint64_t most_shuffles_ = 0;  // expansions of a search of shuffles
   SearchObserver* observer_ = nullptr;
+  SearchMetrics metrics_;
   NoDriveFound no_drive_;
 };
 

@@ -20,10 +20,10 @@ FreeSpace two_halls() {
                           {.footprint = *parse_footprint("5,0.9;5,-0.9;-5,-0.9;-5,0.9")});
 }
 
-SearchOutcome outcome_of(std::uint64_t own_limit, const Limits& limits, SearchMetrics& metrics) {
+SearchOutcome outcome_of(const HybridBudget& budget, const Limits& limits, SearchMetrics& metrics) {
   const Steering steering(DriveKind::reeds_shepp, 4, DriveCosts{});
   HybridPortfolio searches(std::make_shared<const HybridGround>(two_halls()), steering,
-                           HybridResolution{}, own_limit);
+                           HybridResolution{}, budget);
   const std::array<HybridGoal, 1> goals{HybridGoal{{50, 20, 0}, false, Goal{Point{50, 20}}, 0}};
   const SearchOutcome outcome = searches.run({8, 20, 1}, goals, limits, nullptr);
   metrics = searches.metrics();
@@ -32,7 +32,7 @@ SearchOutcome outcome_of(std::uint64_t own_limit, const Limits& limits, SearchMe
 
 TEST(HybridPortfolio, EndsAQueryWithoutALimitAtItsOwn) {
   SearchMetrics metrics;
-  EXPECT_EQ(outcome_of(3000, {}, metrics), SearchOutcome::expansion_limit);
+  EXPECT_EQ(outcome_of({.expansions = 3000}, {}, metrics), SearchOutcome::expansion_limit);
   EXPECT_EQ(metrics.expanded, 3000U);
 }
 
@@ -40,8 +40,31 @@ TEST(HybridPortfolio, GoesByTheLimitOfTheQueryIfThereIsOne) {
   SearchMetrics metrics;
   Limits limits;
   limits.expansions = 3000;
-  EXPECT_EQ(outcome_of(1000, limits, metrics), SearchOutcome::expansion_limit);
+  EXPECT_EQ(outcome_of({.expansions = 1000}, limits, metrics), SearchOutcome::expansion_limit);
   EXPECT_EQ(metrics.expanded, 3000U);
+}
+
+/// A clock that goes on by a second whenever somebody looks.
+Clock ticking() {
+  return [seconds = 0.0]() mutable { return ++seconds; };
+}
+
+TEST(HybridPortfolio, EndsAQueryWithoutALimitAtItsBudgetOfTime) {
+  SearchMetrics metrics;
+  EXPECT_EQ(outcome_of({.seconds = 20, .clock = ticking()}, {}, metrics),
+            SearchOutcome::time_limit);
+  EXPECT_GT(metrics.expanded, 0U);
+  EXPECT_LE(metrics.expanded, 20U * 32);
+}
+
+TEST(HybridPortfolio, GoesByTheTimeLimitOfTheQueryIfThereIsOne) {
+  SearchMetrics metrics;
+  Limits limits;
+  limits.clock = ticking();
+  limits.seconds = 5;
+  EXPECT_EQ(outcome_of({.seconds = 1, .clock = ticking()}, limits, metrics),
+            SearchOutcome::time_limit);
+  EXPECT_GT(metrics.expanded, 32U);
 }
 
 }  // namespace

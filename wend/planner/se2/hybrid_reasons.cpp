@@ -167,6 +167,13 @@ std::string reason_of_blocked_goal(const FreeSpace& space, const Query& query) {
          why_blocked(space, pose).substr(1);
 }
 
+std::string reason_of_time_budget(double seconds, const Query& query) {
+  return "no drive from " + start_of(query) + " to " + goals_of(query) + " was found within " +
+         format_number(seconds) +
+         " s of CPU time, the time_budget of hybrid_astar: there may be one; a larger budget "
+         "searches longer";
+}
+
 std::string reason_of_no_drive(const NoDriveFound& no_drive, const FreeSpace& space,
                                const Query& query) {
   const std::string start = start_of(query);
@@ -182,11 +189,13 @@ std::string reason_of_no_drive(const NoDriveFound& no_drive, const FreeSpace& sp
       return (query.goals.size() == 1
                   ? goal
                   : "each of the " + std::to_string(query.goals.size()) + " goals") +
-             " is boxed in: no drive reaches it from farther away" + searched;
+             " is boxed in: the robot cannot get there, however it moves";
     case NoDriveFound::Why::start_boxed_in:
-      return start + " is boxed in: no drive leads away from it" + searched;
+      return start + " is boxed in: the robot cannot get from there to " + goal +
+             ", however it moves";
     case NoDriveFound::Why::none_found:
-      return "no drive leads from " + start + " to " + goal + searched;
+      return "no drive from " + start + " to " + goal + " was found at this resolution" + searched +
+             "; there may be one all the same";
   }
   return {};
 }

@@ -22,6 +22,9 @@ std::string reason_of_outside_goal(const FreeSpace& space, const Query& query);
 std::string reason_of_blocked_start(const FreeSpace& space, const Query& query);
 std::string reason_of_blocked_goal(const FreeSpace& space, const Query& query);
 
+/// "no drive from ... to ... was found within 2 s of CPU time, the time_budget of hybrid_astar: ..."
+std::string reason_of_time_budget(double seconds, const Query& query);
+
 /// Why the query is unreachable.
 std::string reason_of_no_drive(const NoDriveFound& why, const FreeSpace& space, const Query& query);
 

@@ -12,6 +12,7 @@ struct HybridResolution {
   double trace_spacing = 20;  // one trace for each box of this size and a twelfth of a turn
   int trace_period = 4;       // a trace at every fourth primitive
   double weight = 1.03;       // of the heuristic
+  bool to_contact = false;    // primitives go on until the robot touches something
 };
 
 /// The same for boxes and motions that are `times` smaller.

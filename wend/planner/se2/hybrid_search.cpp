@@ -55,6 +55,8 @@ void HybridSearch::begin(const Pose& first, std::span<const HybridGoal> goals,
     start = facing_back(goals.front().pose);
     start_as_goal_ = goals.front();
     start_as_goal_.pose = facing_back(first);
+    start_as_goal_.asked = Goal(start_as_goal_.pose);
+    start_as_goal_.any_heading = false;
     goals_ = {&start_as_goal_, 1};
   }
   observer_ = observer;
@@ -67,6 +69,7 @@ void HybridSearch::begin(const Pose& first, std::span<const HybridGoal> goals,
   best_ = kNone;
   best_cost_ = kNoWay;
   expanded_at_first_path_ = 0;
+  nearest_try_ = kNoWay;
   seeds_.clear();
   for (const HybridGoal& goal : goals_) seeds_.push_back(seed_of(goal));
   field_.begin(seeds_, start.point());
@@ -92,15 +95,24 @@ CostField::Seed HybridSearch::seed_of(const HybridGoal& goal) const {
           4.0 * grid_.size()};
 }
 
+/// What it costs to arrive at a goal: next to it, where the robot drives to and fro, the table is too coarse.
+double HybridSearch::arrival(const Pose& pose, const HybridGoal& goal) const {
+  if (!resolution_.to_contact) return ring_.cost(pose, goal.pose);
+  std::array<Connection, 1> best;
+  const int count = steering_.connect(pose, goal.pose, 0, kNoWay, best);
+  return count > 0 ? best[0].cost : kNoWay;
+}
+
 /// The cost of the way on the field, and of turning into it; near a goal, that of arriving there.
 CostField::Value HybridSearch::estimate(const Pose& pose) const {
   CostField::Value value = field_.at(pose.point());
   if (!value.exact || !(value.cost < kNoWay)) return value;
   double arriving = kNoWay;
   for (const HybridGoal& goal : goals_) {
-    if (!goal.wants_heading() || ring_.reach() == 0) continue;
+    const bool counts = resolution_.to_contact ? !goal.any_heading : goal.wants_heading();
+    if (!counts || ring_.reach() == 0) continue;
     if (straight_distance(pose.point(), goal.pose.point()) > ring_.reach()) continue;
-    arriving = std::min(arriving, ring_.cost(pose, goal.pose));
+    arriving = std::min(arriving, arrival(pose, goal));
   }
   if (arriving < kNoWay) {
     value.cost = std::max(value.cost, arriving);
@@ -154,8 +166,9 @@ void HybridSearch::expand(Index node) {
   for (const HybridGoal& goal : goals_) {
     if (goal.accepts(nodes_[node].pose)) offer_goal(node, goal);
   }
+  const bool to_goal = is_near_goal(node) && is_worth_trying(node);
   if (lattice_ != nullptr) {
-    if (nodes_[node].h < 4 * steering_.radius() + resolution_.step) try_goals(node);
+    if (to_goal) try_goals(node);
     if (node == 0) {
       join_lattice(node);
     } else {
@@ -168,16 +181,61 @@ void HybridSearch::expand(Index node) {
     nodes_[node].age = 0;
     expand_trace(node);
   }
-  if (nodes_[node].h < 4 * steering_.radius() + resolution_.step) try_goals(node);
+  if (to_goal) try_goals(node);
   expand_primitives(node);
 }
 
+bool HybridSearch::is_near_goal(Index node) const {
+  return nodes_[node].h < 4 * steering_.radius() + resolution_.step;
+}
+
+/// A search to contact comes past many poses that are alike: it tries the goals where it has got nearer, and
+/// sometimes.
+bool HybridSearch::is_worth_trying(Index node) {
+  constexpr double kNearer = 0.9;
+  constexpr std::uint64_t kSometimes = 16;
+  if (!resolution_.to_contact) return true;
+  const double h = nodes_[node].h;
+  if (h >= kNearer * nearest_try_ && metrics_.expanded % kSometimes != 0) return false;
+  nearest_try_ = std::min(h, nearest_try_);
+  return true;
+}
+
 void HybridSearch::expand_primitives(Index node) {
+  if (resolution_.to_contact) {
+    for (const Motion& primitive : steering_.primitives()) expand_to_contact(node, primitive);
+    return;
+  }
   const double room = check_.room_at(nodes_[node].pose.point());
   const double step = room > resolution_.wide_room ? 2 * resolution_.step : resolution_.step;
   for (const Motion& primitive : steering_.primitives()) {
     const Motion motion = steering_.scaled(primitive, step);
     if (const auto cost = drive(node, {&motion, 1}, kNoWay)) add(node, {&motion, 1}, *cost, false);
+  }
+}
+
+/// Adds the poses after 1, 2, 4, ... steps of a primitive, and the last one before the robot touches something.
+void HybridSearch::expand_to_contact(Index node, const Motion& primitive) {
+  const Pose from = nodes_[node].pose;
+  const bool changes = gear_of(primitive) * nodes_[node].gear < 0;
+  double cost = changes ? steering_.costs().gear_change : 0;
+  Pose pose = from;
+  double length = 0;
+  bool free = true;
+  for (double part = resolution_.step; part >= resolution_.step;) {
+    const Motion whole = steering_.scaled(primitive, length + part);
+    const Motion piece = part_of(whole, part / (length + part));
+    const double way = way_of(pose, piece);
+    if (way == MotionCheck::kBlocked) {
+      free = false;
+    } else {
+      length += part;
+      pose = pose_after(from, whole);
+      cost += steering_.cost(piece, way);
+      if (free || part < 2 * resolution_.step) add(node, {&whole, 1}, cost, false);
+    }
+    if (primitive.length == 0 || std::abs(whole.turn) > kPi / 4) return;
+    part = free ? length : part / 2;
   }
 }
 
@@ -209,6 +267,12 @@ void HybridSearch::expand_on_lattice(Index node) {
   }
 }
 
+/// The cost of the way of a motion of this search's robot.
+double HybridSearch::way_of(const Pose& pose, const Motion& motion) const {
+  return direction_ == Direction::from_start ? check_.cost(pose, motion)
+                                             : check_.cost(facing_back(pose), facing_back(motion));
+}
+
 /// The cost of driving the motions from a node, if the robot can and it costs less than the limit.
 std::optional<double> HybridSearch::drive(Index node, std::span<const Motion> motions,
                                           double limit) {
@@ -216,9 +280,7 @@ std::optional<double> HybridSearch::drive(Index node, std::span<const Motion> mo
   int gear = nodes_[node].gear;
   double cost = 0;
   for (const Motion& motion : motions) {
-    const double way = direction_ == Direction::from_start
-                           ? check_.cost(pose, motion)
-                           : check_.cost(facing_back(pose), facing_back(motion));
+    const double way = way_of(pose, motion);
     if (way == MotionCheck::kBlocked) return std::nullopt;
     const int next = gear_of(motion);
     if (next * gear < 0) cost += steering_.costs().gear_change;

@@ -96,6 +96,11 @@ class HybridSearch {
 
   void expand(Index node);
   void expand_primitives(Index node);
+  void expand_to_contact(Index node, const Motion& primitive);
+  bool is_near_goal(Index node) const;
+  bool is_worth_trying(Index node);
+  double way_of(const Pose& pose, const Motion& motion) const;
+  double arrival(const Pose& pose, const HybridGoal& goal) const;
   void expand_trace(Index node);
   void connect_trace(Index node);
   bool connect_to(Index node, const Pose& to, std::size_t words, bool exactly = false);
@@ -135,6 +140,8 @@ class HybridSearch {
   double best_cost_ = 0;
   std::size_t best_goal_ = 0;
   std::uint64_t expanded_at_first_path_ = 0;
+  double nearest_try_ =
+      0;  // the least heuristic from which a search to contact has tried the goals
 };
 
 }  // namespace wend

@@ -9,9 +9,9 @@ namespace wend {
 struct NoDriveFound {
   enum class Why {
     parted,          // not even the largest disc within the robot gets from the start to the goal
-    goal_boxed_in,   // few poses lead to the goal, and the start is none of them
-    start_boxed_in,  // the start leads to few poses, and the goal is none of them
-    none_found,      // the searches have driven everywhere
+    goal_boxed_in,   // the same for the whole robot, as is_enclosed() proves, near the goal
+    start_boxed_in,  // the same near the start
+    none_found,      // the searches have ended
   };
 
   Why why = Why::none_found;

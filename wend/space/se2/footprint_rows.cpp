@@ -37,17 +37,23 @@ bool is_convex(std::span<const Point> corners) {
   return true;
 }
 
-/// Includes the part of an edge with y in [low, high].
-void include_part(const Point& a, const Point& b, double low, double high, Reach& reach) {
-  const auto x_at = [&](double y) { return a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)); };
-  const double bottom = std::min(a.y, b.y);
-  const double top = std::max(a.y, b.y);
-  if (top < low || bottom > high) return;
-  if (a.y >= low && a.y <= high) reach.include(a.x);
-  if (b.y >= low && b.y <= high) reach.include(b.x);
-  if (bottom < low) reach.include(x_at(low));
-  if (top > high) reach.include(x_at(high));
-}
+/// An edge of a shape, from its lower end to its upper one.
+struct Slope {
+  Point low;
+  Point high;
+  double per_row = 0;  // how far it goes to the right on the way up a row
+
+  Slope(const Point& a, const Point& b) : low(a.y <= b.y ? a : b), high(a.y <= b.y ? b : a) {
+    if (high.y > low.y) per_row = (high.x - low.x) / (high.y - low.y);
+  }
+
+  /// Includes the part with y in [bottom, top].
+  void include_part(double bottom, double top, Reach& reach) const {
+    if (high.y < bottom || low.y > top) return;
+    reach.include(low.y >= bottom ? low.x : low.x + (bottom - low.y) * per_row);
+    reach.include(high.y <= top ? high.x : low.x + (top - low.y) * per_row);
+  }
+};
 
 /// Is any of the cells from `first` to `last`, both on the map, set in a row?
 bool any_set(std::span<const std::uint64_t> words, int first, int last) {
@@ -74,16 +80,16 @@ class Band {
   const Reach& operator[](int row) const { return reach_[static_cast<std::size_t>(row - first_)]; }
 
   /// Includes an edge in the rows that it passes.
-  void include(const Point& a, const Point& b) {
-    const double low = std::min(a.y, b.y) - grown_;
-    const double high = std::max(a.y, b.y) + grown_;
+  void include(const Slope& edge) {
+    const double low = edge.low.y - grown_;
+    const double high = edge.high.y + grown_;
     if (!(high >= first_ && low <= last_ + 1)) return;
     const int begin =
         low > first_ ? std::max(static_cast<int>(std::floor(low)) - 1, first_) : first_;
     const int end = high < last_ ? std::min(static_cast<int>(std::floor(high)) + 1, last_) : last_;
     for (int row = begin; row <= end; ++row) {
-      include_part(a, b, row - grown_, row + 1 + grown_,
-                   reach_[static_cast<std::size_t>(row - first_)]);
+      edge.include_part(row - grown_, row + 1 + grown_,
+                        reach_[static_cast<std::size_t>(row - first_)]);
     }
   }
 
@@ -155,7 +161,7 @@ bool FootprintRows::meet_obstacle(const FreeSpace& space, const Pose& pose, doub
   for (int first = std::max(first_row, 0); first <= end; first += Band::kRows) {
     Band band(first, std::min(first + Band::kRows - 1, end), grown);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      band.include(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
+      band.include(Slope(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]));
     }
     for (int row = first; row <= band.last(); ++row) {
       if (is_blocked(space, row, band[row], grown)) return true;

@@ -74,7 +74,11 @@ MotionCheck::MotionCheck(const FreeSpace& space)
       circumscribed_(space.radius_in_cells()),
       spin_(space.outline() != nullptr ? circumscribed_ : 0),
       known_(known_distance(space)),
-      plain_room_(plain_room(space)) {}
+      plain_room_(plain_room(space)) {
+  if (space.outline() != nullptr && known_ > 0) {
+    clearance_ = OutlineClearance(space, *space.outline());
+  }
+}
 
 int MotionCheck::pieces_of(const Motion& motion) const {
   const double reach = std::abs(motion.length) + spin_ * std::abs(motion.turn);
@@ -90,6 +94,12 @@ double MotionCheck::room_at(Point point) const {
   const std::uint32_t squared = space_.squared_half_cell_clearance(cell, known_);
   const double clearance = 0.5 * std::sqrt(static_cast<double>(squared));
   return clearance - circumscribed_ - straight_distance(point, centre_of(cell));
+}
+
+/// The same for a convex polygon at a pose, so far that it is worth looking.
+double MotionCheck::room_around(const Pose& pose) const {
+  constexpr double kMost = 16;  // cells
+  return clearance_.empty() ? 0 : clearance_.at(space_, pose, kMost);
 }
 
 double MotionCheck::cost_of_way(const Pose& from, const Motion& motion) const {
@@ -126,6 +136,10 @@ double MotionCheck::cost(const Pose& from, const Motion& motion) const {
       if (room >= piece / 2) {
         free_until = i + 1 + pieces_within(room, piece);
         if (room > plain_room_) plain_until = i + 1 + pieces_within(room - plain_room_, piece);
+      } else if (const double around =
+                     room_around(pose_after(from, part_of(motion, (i + 0.5) / pieces)));
+                 around >= piece / 2 + kSure) {
+        free_until = i + 1 + pieces_within(around - kSure, piece);
       } else if (!piece_fits(pose_after(from, part_of(motion, static_cast<double>(i) / pieces)),
                              part_of(motion, 1.0 / pieces), piece / 2)) {
         return kBlocked;
@@ -183,8 +197,14 @@ bool MotionCheck::polygon_fits(const Pose& from, const Motion& motion, const Pos
   decided = true;
   if (!on_map(middle.point())) return false;
   if (room_at(middle.point()) >= half_reach) return true;
-  if (!rows_.meet_obstacle(space_, middle, half_reach + kSure)) return true;
-  if (rows_.convex() && rows_.meet_obstacle(space_, middle, 0)) return false;
+  if (clearance_.empty()) {
+    if (!rows_.meet_obstacle(space_, middle, half_reach + kSure)) return true;
+    if (rows_.convex() && rows_.meet_obstacle(space_, middle, 0)) return false;
+  } else {
+    const double room = clearance_.at(space_, middle, half_reach + kSure);
+    if (room >= half_reach + kSure) return true;
+    if (room <= 0 && rows_.meet_obstacle(space_, middle, 0)) return false;
+  }
   if (half_reach <= kMargin - kSure) {
     const bool exact = motion.turn == 0 || !rows_.convex();
     return exact && fits_along(space_, segment_of(from, motion));

@@ -17,6 +17,7 @@
 #include "wend/robot/free_space.hpp"
 #include "wend/space/se2/footprint_rows.hpp"
 #include "wend/space/se2/motion.hpp"
+#include "wend/space/se2/outline_clearance.hpp"
 
 namespace wend {
 
@@ -53,6 +54,7 @@ class MotionCheck {
   double room_at(Point point) const;
 
  private:
+  double room_around(const Pose& pose) const;
   int pieces_of(const Motion& motion) const;
   bool on_map(Point point) const { return space_.contains(cell_at(point)); }
   bool stays_on_map(const Pose& from, const Motion& motion) const;
@@ -63,11 +65,12 @@ class MotionCheck {
                     bool& decided) const;
 
   FreeSpace space_;
-  FootprintRows rows_;    // of a polygon
-  double circumscribed_;  // cells
-  double spin_;           // how far the farthest corner moves in a turn by a radian, in cells
-  std::uint32_t known_;   // distances up to here are at hand, squared and in half-cells
-  double plain_room_;     // with this room beside the robot, nothing costs more than its length
+  FootprintRows rows_;          // of a polygon
+  OutlineClearance clearance_;  // the same, if it is convex
+  double circumscribed_;        // cells
+  double spin_;                 // how far the farthest corner moves in a turn by a radian, in cells
+  std::uint32_t known_;         // distances up to here are at hand, squared and in half-cells
+  double plain_room_;  // with this room beside the robot, nothing costs more than its length
 };
 
 }  // namespace wend

@@ -7,6 +7,8 @@ namespace wend {
 namespace {
 
 constexpr std::size_t kMostCurves = 8;
+constexpr std::size_t kTurnsAndDrives =
+    2;                             // connections without arcs of a robot that turns in place
 constexpr double kNothing = 1e-9;  // cells or radians that need no motion
 
 /// Appends a motion to a connection that has room for it.
@@ -28,6 +30,22 @@ int insert(const Connection& connection, int count, std::span<Connection> list) 
   return std::min(count + 1, static_cast<int>(list.size()));
 }
 
+/// Turns to a heading, drives a line or an arc from there to the point of `to`, and turns to its heading. `ahead`: in
+/// the direction of 1 ahead or -1 in reverse.
+Connection by_way_of(const Pose& from, const Pose& to, int ahead, double heading) {
+  const double length = straight_distance(from.point(), to.point());
+  const double towards = arc_tangent(ahead * (to.y - from.y), ahead * (to.x - from.x));
+  const double turn = 2 * wrapped_angle(towards - heading);
+  Connection connection;
+  append(connection, {0, wrapped_angle(heading - from.heading), 0});
+  append(connection, {ahead * length / chord_share(turn), std::abs(turn) < kNothing ? 0 : turn, 0});
+  append(connection, {0, wrapped_angle(to.heading - heading - turn), 0});
+  return connection;
+}
+
+/// Is a motion more than a half circle?
+bool is_detour(const Motion& motion) { return std::abs(motion.turn) > kPi && motion.length != 0; }
+
 }  // namespace
 
 Steering::Steering(DriveKind model, double radius, const DriveCosts& costs)
@@ -41,8 +59,9 @@ Steering::Steering(DriveKind model, double radius, const DriveCosts& costs)
       for (const int side : {0, 1, -1}) add_primitive({-1, -side * turn, 0});
       break;
     case DriveKind::differential:
-      add_primitive({1, 0, 0});
-      add_primitive({-1, 0, 0});
+      for (const int length : {1, -1}) {
+        for (const int side : {0, 1, -1}) add_primitive({1.0 * length, side / arc_radius(), 0});
+      }
       break;
     case DriveKind::omni:
       for (const int length : {1, -1}) {
@@ -71,21 +90,33 @@ double Steering::cost(const Motion& motion, double way) const {
   }
   double factor = motion.turn != 0 ? costs_.turn : 1;
   if (motion.length < 0) factor *= costs_.reverse;
-  return way * factor;
+  // An arc of a robot that turns in place costs no less than the turn.
+  const double turning =
+      model_ == DriveKind::differential ? std::abs(motion.turn) * costs_.spin : 0;
+  return std::max(way * factor, turning);
 }
 
-int Steering::take(std::span<const Curve> curves, int gear,
+double Steering::arc_radius() const {
+  constexpr double kOfArcs = 4;  // cells, where nothing else is known
+  return radius_ > 0 ? radius_ : kOfArcs;
+}
+
+int Steering::take(std::span<const Curve> curves, int gear, int count,
                    std::span<Connection> connections) const {
-  int count = 0;
   for (const Curve& curve : curves) {
     Connection connection;
     for (int i = 0; i < curve.count; ++i) {
       const CurvePiece& piece = curve.pieces[static_cast<std::size_t>(i)];
-      append(connection, {piece.length, static_cast<int>(piece.turn) * piece.length / radius_, 0});
+      append(connection,
+             {piece.length, static_cast<int>(piece.turn) * piece.length / arc_radius(), 0});
     }
-    connection.cost = curve.cost;
-    const int first = connection.count > 0 ? gear_of(connection.motions.front()) : 0;
-    if (gear * first < 0) connection.cost += costs_.gear_change;
+    connection.cost = 0;
+    int before = gear;
+    for (const Motion& motion : connection.all()) {
+      connection.cost += cost(motion, std::abs(motion.length));
+      if (before * gear_of(motion) < 0) connection.cost += costs_.gear_change;
+      before = gear_of(motion);
+    }
     count = insert(connection, count, connections);
   }
   return count;
@@ -93,17 +124,19 @@ int Steering::take(std::span<const Curve> curves, int gear,
 
 int Steering::connect(const Pose& from, const Pose& to, int gear, double bound,
                       std::span<Connection> connections) const {
+  int count = 0;
   if (model_ == DriveKind::differential) {
-    return turn_and_drive(from, to, gear, bound, connections);
+    count = turn_and_drive(from, to, gear, bound, connections);
+    if (connections.size() <= kTurnsAndDrives) return count;
   }
-  if (model_ == DriveKind::omni) return slide(from, to, bound, connections);
+  if (model_ == DriveKind::omni) return slide(from, to, gear, bound, connections);
   std::array<Curve, kMostCurves> curves;
   const std::span<Curve> wanted(curves.data(), std::min(connections.size(), kMostCurves));
   const CurveCosts costs{costs_.reverse, costs_.turn, costs_.gear_change};
-  const int count = model_ == DriveKind::dubins
+  const int words = model_ == DriveKind::dubins
                         ? dubins_words(from, to, radius_, costs, bound, wanted)
-                        : reeds_shepp_words(from, to, radius_, costs, bound, wanted);
-  return take(wanted.first(static_cast<std::size_t>(count)), gear, connections);
+                        : reeds_shepp_words(from, to, arc_radius(), costs, bound, wanted);
+  return take(wanted.first(static_cast<std::size_t>(words)), gear, count, connections);
 }
 
 int Steering::connect_simply(const Pose& from, const Pose& to, int gear, double bound,
@@ -112,35 +145,41 @@ int Steering::connect_simply(const Pose& from, const Pose& to, int gear, double 
   std::array<Curve, kMostCurves> curves;
   const std::span<Curve> wanted(curves.data(), std::min(connections.size(), kMostCurves));
   const CurveCosts costs{costs_.reverse, costs_.turn, costs_.gear_change};
-  const int count = simple_words(from, to, radius_, costs, bound, wanted);
-  return take(wanted.first(static_cast<std::size_t>(count)), gear, connections);
+  const int words = simple_words(from, to, radius_, costs, bound, wanted);
+  return take(wanted.first(static_cast<std::size_t>(words)), gear, 0, connections);
 }
 
-/// Turns towards the point, or away from it, drives there, and turns to the heading.
+/// Drives to the point in a line between two turns in place, or in an arc before or behind one: ahead and in reverse.
 int Steering::turn_and_drive(const Pose& from, const Pose& to, int gear, double bound,
                              std::span<Connection> connections) const {
-  const double length = straight_distance(from.point(), to.point());
   int count = 0;
-  for (const int direction : {1, -1}) {
-    const double heading =
-        length < kNothing ? from.heading
-                          : arc_tangent(direction * (to.y - from.y), direction * (to.x - from.x));
-    Connection connection;
-    append(connection, {0, wrapped_angle(heading - from.heading), 0});
-    append(connection, {direction * length, 0, 0});
-    append(connection, {0, wrapped_angle(to.heading - heading), 0});
-    connection.cost = gear * direction < 0 && length >= kNothing ? costs_.gear_change : 0;
+  const auto offer = [&](Connection connection) {
+    connection.cost = 0;
     for (const Motion& motion : connection.all()) {
       connection.cost += cost(motion, std::abs(motion.length));
+      if (gear * gear_of(motion) < 0) connection.cost += costs_.gear_change;
+      if (is_detour(motion)) return;
     }
     if (connection.cost < bound) count = insert(connection, count, connections);
-    if (length < kNothing) break;
+  };
+  if (straight_distance(from.point(), to.point()) < kNothing) {
+    Connection turn;
+    append(turn, {0, wrapped_angle(to.heading - from.heading), 0});
+    offer(turn);
+    return count;
+  }
+  for (const int ahead : {1, -1}) {
+    const double towards = arc_tangent(ahead * (to.y - from.y), ahead * (to.x - from.x));
+    offer(by_way_of(from, to, ahead, towards));
+    if (connections.size() <= kTurnsAndDrives) continue;
+    offer(by_way_of(from, to, ahead, from.heading));
+    offer(by_way_of(from, to, ahead, wrapped_angle(2 * towards - to.heading)));
   }
   return count;
 }
 
 /// Moves in a line and turns meanwhile, or before, or behind.
-int Steering::slide(const Pose& from, const Pose& to, double bound,
+int Steering::slide(const Pose& from, const Pose& to, int gear, double bound,
                     std::span<Connection> connections) const {
   const double turn = wrapped_angle(to.heading - from.heading);
   const double length = straight_distance(from.point(), to.point());
@@ -159,6 +198,7 @@ int Steering::slide(const Pose& from, const Pose& to, double bound,
     append(connection, {way, 0, course});
     append(connection, {0, turn - first, 0});
     connection.cost = length + std::abs(turn) * costs_.spin;
+    if (length >= kNothing && gear * way < 0) connection.cost += costs_.gear_change;
     if (connection.cost < bound) count = insert(connection, count, connections);
     if (turn == 0) break;
   }

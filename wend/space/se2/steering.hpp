@@ -49,7 +49,8 @@ class Steering {
   double cost(const Motion& motion, double way) const;
 
   /// The cheapest connections that cost less than `bound`, sorted by cost; returns how many. `gear` is that of the
-  /// motion before.
+  /// motion before. A robot that turns in place drives lines between its turns; if more than two connections are asked
+  /// for, also arcs of every radius before or behind a turn, and curves of arcs and lines without one.
   int connect(const Pose& from, const Pose& to, int gear, double bound,
               std::span<Connection> connections) const;
   /// The same, but for cars only a line between two arcs, all ahead or all in reverse: cheaper to compute.
@@ -61,10 +62,13 @@ class Steering {
   int arrivals(const Pose& from, Point to, std::span<double> headings) const;
 
  private:
-  int take(std::span<const Curve> curves, int gear, std::span<Connection> connections) const;
+  /// That of the arcs in the search, of a robot that could drive narrower ones.
+  double arc_radius() const;
+  int take(std::span<const Curve> curves, int gear, int count,
+           std::span<Connection> connections) const;
   int turn_and_drive(const Pose& from, const Pose& to, int gear, double bound,
                      std::span<Connection> connections) const;
-  int slide(const Pose& from, const Pose& to, double bound,
+  int slide(const Pose& from, const Pose& to, int gear, double bound,
             std::span<Connection> connections) const;
   void add_primitive(const Motion& motion) { primitives_[primitive_count_++] = motion; }
 
