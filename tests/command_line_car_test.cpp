@@ -344,9 +344,10 @@ TEST_F(CarOnARosMap, CountsInMetresAndNorthIsUp) {
 
 TEST_F(CarOnARosMap, SnapsToTheNearestCornerAndSaysByHowMuch) {
   const Outcome outcome = plan("1.6,2.5,10deg", "2,3,1.4rad");
-  EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("start     (1.5,2.5,E) m, 0.1 m and 10 degrees from what was asked\n"),
-                    HasSubstr("goal      (2,3,N) m, 9.79 degrees from what was asked\n")));
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(HasSubstr("start     (1.5,2.5,E) m, 0.1 m and 10 degrees from what was asked\n"),
+            HasSubstr("goal      (2,3,N) m, 9.79 degrees from what was asked\n")));
   const json shifted = plan_json("1.6,2.5,10deg", "2,3,N");
   EXPECT_NEAR(shifted.at("start_shift").at("m").get<double>(), 0.1, 1e-9);
   EXPECT_NEAR(shifted.at("start_shift").at("degrees").get<double>(), 10, 1e-9);

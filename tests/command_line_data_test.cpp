@@ -71,8 +71,9 @@ TEST_F(SharedData, PlansOnARealRosMap) {
   EXPECT_GT(plan.at("length_m").get<double>(), 3.8);
   EXPECT_THAT(bytes_of(png), StartsWith("\x89PNG"));
   const Outcome text = wend(query);
-  EXPECT_THAT(text.out, AllOf(StartsWith("ends      in the middles of cells: the start 0.0354 m from"),
-                              HasSubstr("\nplanner"), HasSubstr(" m\n")));
+  EXPECT_THAT(text.out,
+              AllOf(StartsWith("ends      in the middles of cells: the start 0.0354 m from"),
+                    HasSubstr("\nplanner"), HasSubstr(" m\n")));
   EXPECT_EQ(text.out.find("\x1b"), std::string::npos);
 }
 

@@ -53,10 +53,9 @@ void bind(SmootherChoice& choice, double most_distance) {
 
 /// Smooths points of even distances: what smoothing does to a path depends on how far apart they are, not on how it was
 /// given.
-SmoothingResult smoothed_evenly(SmootherChoice choice, const Path& path,
-                                                 const FreeSpace& space, Adjacency adjacency,
-                                                 std::optional<double> max_distance,
-                                                 const Deadline& deadline) {
+SmoothingResult smoothed_evenly(SmootherChoice choice, const Path& path, const FreeSpace& space,
+                                Adjacency adjacency, std::optional<double> max_distance,
+                                const Deadline& deadline) {
   Path even = path;
   double cut = 0;
   if (!path.driven() && !path.of_steps()) {

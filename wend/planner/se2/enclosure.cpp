@@ -31,12 +31,13 @@ class BoxFlood {
     if (share > 0) rows_ = FootprintRows(space.outline()->scaled(share));
   }
 
-  bool encloses(const Pose& pose, const Pose& other) {
+  bool encloses(const Pose& pose, const Pose& other, const std::function<bool()>& stop) {
+    constexpr std::size_t kAtOnce = 256;
     if (rows_.empty() || !rows_.convex()) return false;
     add(box_of(pose));
     const Pose out = box_of(other);
     for (std::size_t next = 0; next < boxes_.size(); ++next) {
-      if (boxes_.size() > kMostBoxes) return false;
+      if (boxes_.size() > kMostBoxes || (next % kAtOnce == 0 && stop())) return false;
       const Pose box = boxes_[next];
       for (const int by : {-1, 1}) {
         add(box_of({box.x + by * size_, box.y, box.heading}));
@@ -73,11 +74,12 @@ class BoxFlood {
 
 }  // namespace
 
-bool is_enclosed(const FreeSpace& space, const Pose& pose, const Pose& other) {
+bool is_enclosed(const FreeSpace& space, const Pose& pose, const Pose& other,
+                 const std::function<bool()>& stop) {
   if (space.outline() == nullptr) return false;
   constexpr std::array kSizes{1.0, 0.125};  // cells
   return std::ranges::any_of(
-      kSizes, [&](double size) { return BoxFlood(space, size).encloses(pose, other); });
+      kSizes, [&](double size) { return BoxFlood(space, size).encloses(pose, other, stop); });
 }
 
 }  // namespace wend

@@ -6,6 +6,8 @@
 // smaller by what it moves within the box: so every box that holds a free pose does. A flood through these boxes that
 // ends without the other pose shows that no motion leads there, not even of a robot that slides and turns at will.
 
+#include <functional>
+
 #include "wend/geometry/pose.hpp"
 #include "wend/robot/free_space.hpp"
 
@@ -13,6 +15,8 @@ namespace wend {
 
 /// True only if no motion of the robot leads from one pose to the other. It looks at some ten thousand boxes, and knows
 /// nothing of discs and of polygons with a hollow.
-bool is_enclosed(const FreeSpace& space, const Pose& pose, const Pose& other);
+/// It gives up, and says false, once `stop` says so; it asks after some hundred boxes.
+bool is_enclosed(const FreeSpace& space, const Pose& pose, const Pose& other,
+                 const std::function<bool()>& stop);
 
 }  // namespace wend

@@ -294,14 +294,15 @@ void HybridPortfolio::run_flood(PoseFlood& flood, std::uint64_t most) {
 /// A flood that has ended shows where to look for a proof that an end is boxed in.
 NoDriveFound::Why HybridPortfolio::why_none() const {
   const FreeSpace& space = ground_->free_space();
+  const auto stop = [this] { return stopped().has_value(); };
   const auto enclosed = [&](const HybridGoal& goal) {
-    return !goal.any_heading && is_enclosed(space, goal.pose, start_);
+    return !goal.any_heading && is_enclosed(space, goal.pose, start_, stop);
   };
   if (flooded_ && to_goal_->is_small() && std::ranges::all_of(goals_, enclosed)) {
     return NoDriveFound::Why::goal_boxed_in;
   }
   if (flooded_ && from_start_->is_small() && goals_.size() == 1 && !goals_.front().any_heading &&
-      is_enclosed(space, start_, goals_.front().pose)) {
+      is_enclosed(space, start_, goals_.front().pose, stop)) {
     return NoDriveFound::Why::start_boxed_in;
   }
   return NoDriveFound::Why::none_found;
