@@ -137,7 +137,7 @@ TEST_P(BoundedCalls, EndWhenTheyAreCancelled) {
   const std::atomic<bool> cancel = true;
   for (const PlannerInfo& info : planners()) {
     PlanRequest request = request_for(info.name);
-    request.limits = {.cancel = &cancel};
+    request.limits.cancel = &cancel;
     bool planned = true;
     EXPECT_LT(overshoot([&] { planned = planning.plan(request).has_value(); }),
               kOvershoot * kSlower)

@@ -87,8 +87,9 @@ TEST_P(ClosestCell, IsTheNearestThatAFloodReachesAndTheCheapestOfThose) {
     request.start = {std::floor(space.width() * random.uniform()) + 0.5,
                      std::floor(space.height() * random.uniform()) + 0.5, 0};
     for (int i = random.between(1, 3); i > 0; --i) {
-      request.goals.push_back({{1.4 * space.width() * random.uniform() - 2,
-                                1.4 * space.height() * random.uniform() - 2}});
+      // The ends of planners on cells are cells where a map has no metres.
+      request.goals.push_back({{std::floor(1.4 * space.width() * random.uniform() - 2) + 0.5,
+                                std::floor(1.4 * space.height() * random.uniform() - 2) + 0.5}});
     }
     const auto answer = session.plan(request);
     const BitGrid reached = flooded(space, cell_at({request.start.x, request.start.y}));

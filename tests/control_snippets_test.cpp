@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "tests/snippets.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/given_route.hpp"
@@ -13,6 +16,7 @@
 #include "wend/control/speed_profile.hpp"
 #include "wend/control/trajectory_tracker.hpp"
 #include "wend/path/corner_rounding.hpp"
+#include "wend/path/gears.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/polyline.hpp"
 #include "wend/path/trajectory.hpp"
@@ -59,6 +63,16 @@ TEST(Snippets, OfMotionModelAndPidTerm) {
   wend::PidTerm heading({.proportional = 3, .integral = 0.2, .derivative = 0.1}, 0.1);
   const double turn_rate = heading.output(error, change, 0.05, 1.5);
   EXPECT_NEAR(turn_rate, 3 * 0.2 + 0.2 * 0.2 * 0.05, 1e-12);
+}
+
+TEST(Snippets, OfGears) {
+  const auto plan = wend::make_planner("hybrid_astar", open_ground())
+                        .value()
+                        ->plan({{4.5, 2.5, 0}, {wend::Goal(wend::Pose{2.5, 2.5, 0})}});
+  ASSERT_TRUE(plan);
+  const std::vector<int> gears = wend::gears_of(plan->path);
+  const bool reverses = std::ranges::count(gears, -1) > 0;
+  EXPECT_TRUE(reverses);
 }
 
 TEST(Snippets, OfCornersTrajectoryAndTracker) {

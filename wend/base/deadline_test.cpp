@@ -16,7 +16,7 @@ TEST(Deadline, NeverPassesWithoutLimits) {
   EXPECT_FALSE(none.bounded());
   EXPECT_FALSE(none.passed());
   EXPECT_EQ(none.seconds_left(), kInfinity);
-  EXPECT_FALSE(Deadline(Limits{.expansions = 1}).bounded());
+  EXPECT_FALSE(Deadline(Limits{.expansions = 1, .clock = {}}).bounded());
 }
 
 TEST(Deadline, CountsFromItsBeginning) {
@@ -54,13 +54,13 @@ TEST(Deadline, PassesWhenTheFlagIsSetAlsoByTheClock) {
 
 /// A planner refuses it.
 TEST(Deadline, KeepsALimitThatIsNaN) {
-  const Deadline deadline(Limits{.seconds = std::nan("")});
+  const Deadline deadline(Limits{.seconds = std::nan(""), .clock = {}});
   EXPECT_TRUE(std::isnan(deadline.left().seconds));
 }
 
 TEST(DeadlineCheck, StaysPassed) {
   std::atomic<bool> cancel = true;
-  const Deadline deadline(Limits{.cancel = &cancel});
+  const Deadline deadline(Limits{.clock = {}, .cancel = &cancel});
   DeadlineCheck check(&deadline);
   int calls = 0;
   while (!check()) ASSERT_LT(++calls, 10'000);

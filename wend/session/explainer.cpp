@@ -100,7 +100,8 @@ std::string Explainer::explain(const Planner& planner, const Query& query, const
       nearest_beyond_limit(planner, query, status);
   if (planner.grid_moves()) return explain(query, ends, status, metrics) + out;
   if (is_limit(status)) {
-    const std::string own = planner.reason(query, status);
+    const bool of_planner = status == Status::time_limit && std::isinf(query.limits.seconds);
+    const std::string own = of_planner ? planner.reason(query, status) : std::string();
     if (own.empty()) return stopped(status, query.limits, metrics);
     return as_asked(ends, planner.corner_unit()) + own;
   }

@@ -120,7 +120,9 @@ wend::PlanRequest PathPlanner::request_of(const PathRequest& request, double tol
       .explain = plugin.explain && tolerance == 0};
   made.keep = plugin.keep;
   made.limits.seconds = watch.end - wend::steady_seconds();
-  if (plugin.smooth && !capabilities_of(settings_.planner).headings) {
+  // Lines of any angle are taut: smoothing would cut their corners, where they touch obstacles.
+  const wend::Capabilities& capabilities = capabilities_of(settings_.planner);
+  if (plugin.smooth && !capabilities.headings && !capabilities.any_angle) {
     made.refinement.smoother = wend::SmootherChoice{};
   }
   return made;

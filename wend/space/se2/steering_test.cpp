@@ -89,7 +89,7 @@ TEST(SteeringOfADifferentialDrive, TakesArcsOfEveryRadius) {
         for (const int ahead : {1, -1}) {
           const Motion arc{ahead * radius * turn, side * turn, 0};
           const Pose from{1, 2, 0.4};
-          std::array<Connection, 8> all;
+          std::array<Connection, 16> all;
           const int count = steering.connect(from, pose_after(from, arc), 0, 1e9, all);
           EXPECT_TRUE(std::ranges::any_of(std::span(all).first(static_cast<std::size_t>(count)),
                                           [&](const Connection& connection) {
