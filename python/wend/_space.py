@@ -428,8 +428,8 @@ class FreeSpace:
         >>> cells[3:, 3:] = 1
         >>> robot = [(1, 1.2), (1, -1.2), (-1, -1.2), (-1, 1.2)]
         >>> space = wend.Map(cells).free_space(robot, outside="blocked")
-        >>> why = space.explain_drive((1.5, 7.5, -np.pi / 2), (7.5, 1.5, 0), turning_radius=12)
-        >>> why.drive_exists, why.turning_radius is not None and why.turning_radius < 12
+        >>> why = space.explain_drive((1.5, 7.5, -np.pi / 2), (7.5, 1.5, 0), turning_radius=200)
+        >>> why.drive_exists, why.turning_radius is not None and why.turning_radius < 200
         (False, True)
         """
         return DriveExplanation(*self._inner.explain_drive(start, goal, text_of(options)))
