@@ -28,7 +28,9 @@ bool drives(const FreeSpace& space, const Query& query, const HybridAStarOptions
   return (*make_planner(space, options))->plan(query).has_value();
 }
 
-NoDrive explained(const FreeSpace& space, const Query& query, const HybridAStarOptions& options) {
+/// Without a budget of time, which ends searches at another place on each machine.
+NoDrive explained(const FreeSpace& space, const Query& query, HybridAStarOptions options) {
+  options.time_budget = 1000;
   auto why = explain_no_drive(space, query, options);
   EXPECT_TRUE(why);
   return *why;
