@@ -177,7 +177,7 @@ void MapArguments::add_to(Parser& app) {
              "available on the system)");
 }
 
-LoadedMap MapArguments::load() const {
+LoadedMap MapArguments::load_map() const {
   LoadedMap loaded = MapFileArguments::load();
   if (!primitives.empty()) loaded.files.emplace_back(primitives);
   return loaded;

@@ -66,8 +66,8 @@ struct MapArguments : MapFileArguments, RobotArguments {
 
   void add_to(Parser& app);
 
-  /// MapFileArguments::load(), and the file of motion primitives among those that must not be overwritten.
-  LoadedMap load() const;
+  /// load(), with the file of motion primitives among those that must not be overwritten.
+  LoadedMap load_map() const;
 
   /// Throws NoPathError if the map needs more bytes than there are.
   void check_memory(const GridMap& map, double need) const;

@@ -92,7 +92,7 @@ std::string text_of(const CheckArguments& arguments, const Scene& scene, const M
 int run(const CheckArguments& arguments) {
   arguments.output.check();
   check_read_once({arguments.map.file, arguments.path});
-  const LoadedMap loaded = arguments.map.load();
+  const LoadedMap loaded = arguments.map.load_map();
   arguments.output.check_not_among(loaded.files);
   arguments.output.check_not_among({arguments.path});
   const FreeSpace space = arguments.map.free_space(loaded.map);

@@ -242,7 +242,7 @@ int run(const CompareArguments& arguments) {
   check(arguments);
   std::vector<PlannerSpec> specs;
   if (!arguments.planners.empty()) specs = parse_planners(arguments.planners);
-  const LoadedMap loaded = arguments.map.load();
+  const LoadedMap loaded = arguments.map.load_map();
   arguments.output.check_not_among(loaded.files);
   if (!arguments.plot.empty()) {
     check_not_among(loaded.files, arguments.plot, "--plot " + arguments.plot);

@@ -221,7 +221,7 @@ int run(const ExplainArguments& arguments) {
   arguments.output.check();
   const auto moves = parse_options<GridMoves>(arguments.options.values_for("explain"));
   if (!moves) throw InputError(moves.error().message);
-  const LoadedMap loaded = arguments.map.load();
+  const LoadedMap loaded = arguments.map.load_map();
   arguments.output.check_not_among(loaded.files);
   if (arguments.planner.empty()) {
     return ExplainRun(arguments, *moves, arguments.map.free_space(loaded.map)).report();

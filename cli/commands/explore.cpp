@@ -181,7 +181,7 @@ int run(const ExploreArguments& arguments) {
   arguments.output.check();
   check_read_once({arguments.map.file, arguments.known});
   const std::vector<PlannerSpec> planners = parse_planners(arguments.planners);
-  const LoadedMap loaded = arguments.map.load();
+  const LoadedMap loaded = arguments.map.load_map();
   arguments.output.check_not_among(loaded.files);
   if (!arguments.known.empty()) arguments.output.check_not_among({arguments.known});
   arguments.map.free_space(loaded.map, info_of(planners.front()).bytes_per_cell);  // its checks

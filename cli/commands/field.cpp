@@ -177,7 +177,7 @@ int run(const FieldArguments& arguments) {
   if (!moves) throw InputError(moves.error().message);
   WorkTimes times;
   const LoadedMap loaded =
-      timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
+      timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load_map(); });
   arguments.output.check_not_among(loaded.files);
   const FreeSpace space = timed(thread_cpu_seconds, times.free_space,
                                 [&] { return arguments.map.free_space(loaded.map); });

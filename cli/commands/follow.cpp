@@ -119,7 +119,7 @@ FreeSpace planning_space(const FollowArguments& arguments, const FreeSpace& spac
 
 int run(const FollowArguments& arguments) {
   check(arguments);
-  const LoadedMap loaded = arguments.map.load();
+  const LoadedMap loaded = arguments.map.load_map();
   arguments.output.check_not_among(loaded.files);
   arguments.trajectory.check_not_among(loaded.files);
   if (!arguments.path.empty()) {

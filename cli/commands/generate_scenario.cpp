@@ -81,7 +81,7 @@ int run(const ScenarioArguments& arguments) {
   arguments.output.check();
   check_range("--buckets", arguments.buckets, 1, kMostBuckets);
   check_range("--per-bucket", arguments.per_bucket, 1, kMostPerBucket);
-  const LoadedMap loaded = arguments.map.load();
+  const LoadedMap loaded = arguments.map.load_map();
   arguments.output.check_not_among(loaded.files);
   const std::vector<ScenarioQuery> queries = make_queries(arguments, loaded.map);
   arguments.output.write_all(

@@ -74,7 +74,7 @@ int build(const BuildArguments& arguments) {
   if (!spec.options.empty()) {
     throw InputError(fmt::format("--planner {}: this planner has no options", arguments.planner));
   }
-  const LoadedMap loaded = arguments.map.load();
+  const LoadedMap loaded = arguments.map.load_map();
   check_not_among(loaded.files, arguments.output, "-o " + arguments.output);
   const FreeSpace space = arguments.map.free_space(loaded.map);
   ThreadWorkers workers(static_cast<unsigned>(arguments.threads));

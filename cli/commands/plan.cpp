@@ -182,7 +182,7 @@ int run(const PlanArguments& arguments) {
   check_primitives(arguments, planner);
   check_plot(arguments, planner);
   const LoadedMap loaded =
-      timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
+      timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load_map(); });
   arguments.refine.steer(planner, arguments.map.coordinates(loaded.map));
   arguments.output.check_not_among(loaded.files);
   arguments.trajectory.check_not_among(loaded.files);

@@ -174,7 +174,7 @@ std::optional<SampledTrajectory> trajectory_of(const SmoothArguments& arguments,
 int run(const SmoothArguments& arguments) {
   arguments.output.check();
   check_read_once({arguments.map.file, arguments.path});
-  const LoadedMap loaded = arguments.map.load();
+  const LoadedMap loaded = arguments.map.load_map();
   arguments.output.check_not_among(loaded.files);
   arguments.trajectory.check_not_among(loaded.files);
   arguments.trajectory.check_not_among({arguments.path});

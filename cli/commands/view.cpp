@@ -147,7 +147,7 @@ void check_idle(const Parser& view, const ViewArguments& arguments) {
 
 int run(const ViewArguments& arguments) {
   check(arguments);
-  std::vector<LoadedMap> maps{arguments.map.load()};
+  std::vector<LoadedMap> maps{arguments.map.load_map()};
   for (const std::string& file : arguments.beside) {
     maps.push_back(read_map(file));
     complain_of_notes(file, maps.back());

@@ -30,7 +30,7 @@ std::string bar(std::uint64_t done, std::uint64_t total) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::string label, std::uint64_t total)
+ProgressBar::ProgressBar(std::string_view label, std::uint64_t total)
     : label_(visible(label)),
       total_(std::max<std::uint64_t>(total, 1)),
       seen_(progress_is_seen()),

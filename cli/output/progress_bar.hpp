@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace wend::cli {
 
@@ -13,7 +14,7 @@ class ProgressBar {
  public:
   /// `total` is the estimated amount of work: the work may end earlier, and continues without a bar
   /// beyond it.
-  ProgressBar(std::string label, std::uint64_t total);
+  ProgressBar(std::string_view label, std::uint64_t total);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;

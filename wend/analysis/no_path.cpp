@@ -116,7 +116,7 @@ std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves moves) {
 }
 
 NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
-  return *explain_no_path(space, start, goal, moves, Deadline());
+  return explain_no_path(space, start, goal, moves, Deadline()).value_or(NoPath{});
 }
 
 std::optional<NoPath> explain_no_path(const FreeSpace& space, Cell start, Cell goal,

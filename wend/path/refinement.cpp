@@ -95,7 +95,7 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
   }
   if (refinement.smoother) {
     if (auto stopped = stopped_before("smoothed", deadline)) return Unexpected<Error>(*stopped);
-    SmootherChoice choice = smoother_for(path, *refinement.smoother);
+    const SmootherChoice choice = smoother_for(path, *refinement.smoother);
     auto smoothed =
         smoothed_evenly(choice, refined.path, space, adjacency, refinement.max_distance, deadline);
     if (!smoothed) return Unexpected<Error>(std::move(smoothed).error());

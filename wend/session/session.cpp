@@ -55,12 +55,15 @@ auto discarding_if_stopped(std::span<WarmPlanner> planners, Work&& work) {
     std::span<WarmPlanner> watched;
     bool done = false;
 
+    explicit Watch(std::span<WarmPlanner> those) : watched(those) {}
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
     ~Watch() {
       if (done) return;
       for (WarmPlanner& planner : watched) planner.discard();
     }
   };
-  Watch watch{planners};
+  Watch watch(planners);
   auto answer = work();
   watch.done = true;
   return answer;
