@@ -153,7 +153,7 @@ SearchRecorder ComparisonRun::record(std::size_t planner, std::size_t query) con
 }
 
 Path ComparisonRun::path(std::size_t planner, std::size_t query) const {
-  Path path = again(planner, query, nullptr).path;
+  const Path path = again(planner, query, nullptr).path;
   const Path& lead = comparison_.queries[query].rows[planner].lead;
   return path.empty() || lead.empty() ? path : joined(lead, path);
 }

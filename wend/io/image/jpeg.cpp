@@ -33,6 +33,7 @@ struct JpegErrors {
 [[noreturn]] void leave(j_common_ptr jpeg) {
   JpegErrors& errors = JpegErrors::of(jpeg);
   errors.keep(jpeg);
+  // NOLINTNEXTLINE(modernize-avoid-setjmp-longjmp): libjpeg has no other way to report errors
   std::longjmp(errors.jump, 1);
 }
 
@@ -49,6 +50,7 @@ void count_scans(j_common_ptr jpeg) {
   JpegErrors& errors = JpegErrors::of(jpeg);
   fmt::format_to_n(errors.message.data(), errors.message.size() - 1, "more than {} scans",
                    kMostScans);
+  // NOLINTNEXTLINE(modernize-avoid-setjmp-longjmp): libjpeg has no other way to report errors
   std::longjmp(errors.jump, 1);
 }
 

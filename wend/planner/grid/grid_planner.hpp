@@ -95,7 +95,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
 
 /// A planner that is made from options as text: `parts(space, options)` chooses its parts.
 template <class Options, class ChooseParts>
-PlannerInfo grid_planner(PlannerInfo info, ChooseParts parts) {
+PlannerInfo grid_planner(PlannerInfo info, const ChooseParts& parts) {
   info.capabilities.can_step = true;
   info.options = option_schema<Options>();
   info.make = [parts, name = info.name](const FreeSpace& space,
