@@ -76,6 +76,7 @@ class Comparison {
     const auto lattice = *make_planner("lattice", space, options());
     OptionValues same = options();
     same.emplace_back("turn_factor", "1");
+    same.emplace_back("time_budget", "1000");  // on slow machines, too
     const auto hybrid = *make_planner("hybrid_astar", space, same);
     const MotionPrimitives set =
         *MotionPrimitives::turning_circle(kTurningRadius / kSmallMapResolution);

@@ -147,7 +147,9 @@ double least_radius(const MotionPrimitives& set) {
 /// What hybrid_astar says for a robot with that turning radius, held to the independent check.
 Expected<Plan, PlanFailure> hybrid_plan(const FreeSpace& space, double radius, const Query& query) {
   const double metres = radius * space.map().frame().resolution;
-  OptionValues options{{"turning_radius", fmt::format("{}", metres)}, {"turn_factor", "1"}};
+  OptionValues options{{"turning_radius", fmt::format("{}", metres)},
+                       {"turn_factor", "1"},
+                       {"time_budget", "1000"}};  // on slow machines, too
   if (metres == 0) options.emplace_back("motion_model", "differential");
   auto plan = (*make_planner("hybrid_astar", space, options))->plan(query);
   if (plan) {

@@ -90,6 +90,7 @@ DriveTrial random_drive_trial(std::uint64_t seed, std::string_view footprint) {
 
 Expected<Plan, PlanFailure> plan_of(const DriveTrial& trial, OptionValues options = {}) {
   options.emplace_back("turning_radius", fmt::format("{}", kYardRadius));
+  options.emplace_back("time_budget", "1000");  // on slow machines, too
   return (*make_planner("hybrid_astar", trial.space, options))->plan(trial.query());
 }
 

@@ -73,7 +73,8 @@ class ThinWalls : public ::testing::TestWithParam<ThinWall> {
   static OptionValues options_for(double motion_length, std::string_view model) {
     return {{"turning_radius", model == "differential" ? "0" : "2"},
             {"motion_model", std::string(model)},
-            {"motion_length", fmt::format("{}", motion_length)}};
+            {"motion_length", fmt::format("{}", motion_length)},
+            {"time_budget", "1000"}};  // on slow machines, too
   }
 };
 

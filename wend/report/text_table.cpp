@@ -143,14 +143,12 @@ std::vector<bool> best_of(std::span<const double> values, bool more_is_better) {
 }
 
 std::string csv_field(const std::string& text) {
-  const std::string shown = visible(text);
-  if (shown.find_first_of(",\"\n") == std::string::npos) return shown;
-  std::string quoted = "\"";
-  for (const char letter : shown) {
-    if (letter == '"') quoted += '"';
-    quoted += letter;
+  std::string field = visible(text);
+  if (field.find_first_of(",\"\n") == std::string::npos) return field;
+  for (std::size_t at = 0; (at = field.find('"', at)) != std::string::npos; at += 2) {
+    field.insert(at, 1, '"');
   }
-  return quoted + "\"";
+  return '"' + field + '"';
 }
 
 }  // namespace wend
