@@ -93,9 +93,14 @@ wend::Expected<OccupancyMap::Change, wend::Error> OccupancyMap::take(
     values_ = std::move(values);
     return change;
   }
+  auto made = map_from(layout, values, reading_);
+  if (!made) {
+    clear();
+    return wend::Unexpected<wend::Error>(std::move(made.error()));
+  }
   layout_ = std::move(layout);
   values_ = std::move(values);
-  change.whole = whole();
+  change.whole = *std::move(made);
   return change;
 }
 
