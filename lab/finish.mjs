@@ -10,8 +10,9 @@ const site = join(here, '../build/lab/site');
 // that; of the one file. A build that exceeds them fails.
 // Raised by a tenth for ways out, closest places and the checks of every number, which each module has.
 const mostOfFirst = 285_000;
-const mostOfSite = 950_000;
-const mostOfFile = 970_000;
+// Limits on whole calls and drives to and fro of hybrid_astar added 5 kB to each.
+const mostOfSite = 965_000;
+const mostOfFile = 985_000;
 // Loaded when they are asked for: the module with all planners, the charts, the element for other pages; and the service
 // worker, which the page starts after its first search.
 const later = /^(assets\/(wend|uPlot)|embed\.js|worker\.js|licences\.html)/;
