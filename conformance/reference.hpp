@@ -159,12 +159,12 @@ class Reference {
   }
 
   /// The same for waypoints. A point is held to the rules of Visibility, a disc keeps its distance.
-  std::string waypoint_fault(std::span<const Point> path, Cell from, Cell to) const {
+  std::string waypoint_fault(std::span<const Point> path, Cell from, Point to) const {
     if (robot_.radius == 0) return visibility().fault(path, from, to);
-    if (path.empty() || path.front() != centre_of(from) || path.back() != centre_of(to)) {
+    if (path.empty() || path.front() != centre_of(from) || path.back() != to) {
       return "the path does not join start and goal";
     }
-    if (!passable(from) || !passable(to)) return "an end is blocked";
+    if (!passable(from) || !passable(cell_at(to))) return "an end is blocked";
     for (std::size_t i = 1; i < path.size(); ++i) {
       const Point a = path[i - 1];
       const Point b = path[i];

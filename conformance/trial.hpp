@@ -154,8 +154,9 @@ inline TestQuery random_test_query(Random& random, const GridMap& map) {
     TestGoal& goal = test_query.goals.back();
     goal.tolerance = random_tolerance(random);
     if (goal.tolerance == 0 || random.chance(0.5)) continue;
-    goal.point.x += random.uniform() - 0.5;
-    goal.point.y += random.uniform() - 0.5;
+    constexpr int kParts = 16;  // of a cell: whole units of Visibility
+    goal.point.x += random.between(1 - kParts / 2, kParts / 2 - 1) / double{kParts};
+    goal.point.y += random.between(1 - kParts / 2, kParts / 2 - 1) / double{kParts};
   }
   return test_query;
 }

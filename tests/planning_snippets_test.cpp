@@ -31,6 +31,7 @@
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/dense_poses.hpp"
 #include "wend/path/drive_smoother.hpp"
+#include "wend/path/exact_ends.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/outline_poses.hpp"
 #include "wend/path/path_collision.hpp"
@@ -108,6 +109,11 @@ TEST(Snippets, OfSmoothingAndSimplification) {
     if (!wend::near_map(space, point)) return report("NaN, infinite or far off the map");
   }();
   EXPECT_TRUE(reported.empty()) << reported;
+  [&] {
+    const wend::PathEnds ends{{1.4, 1.6}, {8.3, 5.7}};
+    const wend::Path path = wend::with_ends(plan->path, ends, space);
+    EXPECT_EQ(path.points().front(), ends.start);
+  }();
   const auto refined = wend::refined(plan->path, space,
                                      {.simplify = wend::Simplification{wend::SimplifyBy::sight},
                                       .smoother = wend::SmootherChoice{"gradient"}});

@@ -114,8 +114,13 @@ TEST(SearchSnippets, OfCornersAndTheirSight) {
     EXPECT_EQ(ray.y, 1);
   };
   wend::CornerSweep sweep(portals);
-  sweep.from_cell({0, 3}, [&](std::uint32_t corner, wend::Ray ray) { see(corner, ray); });
+  sweep.from_point(wend::SightPoint::centre({0, 3}),
+                   [&](std::uint32_t corner, wend::Ray ray) { see(corner, ray); });
   EXPECT_EQ(seen, std::vector<std::uint32_t>{0}) << "the other one lies behind it";
+
+  const wend::SightPoint viewer =
+      wend::SightPoint::at({2.25, 0.5}, {2, 0}, wend::SightPoint::finest(1000));
+  EXPECT_EQ(viewer.point(), (wend::Point{2.25, 0.5}));
 
   wend::TautGraph graph(std::make_shared<const wend::Portals>(portals));
   double reached = 0;

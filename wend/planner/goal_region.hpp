@@ -49,11 +49,17 @@ inline PlaceGrid cells_of(const FreeSpace& space) {
 class GoalRegion {
  public:
   /// One place.
-  explicit GoalRegion(Cell place)
-      : nearest_(place), low_(place), high_(place), any_(place), goal_(centre_of(place)) {}
+  explicit GoalRegion(Cell place) : GoalRegion(place, centre_of(place)) {}
 
   /// `nearest` stands for the goal's point; nothing if that is not on the map.
   GoalRegion(const Goal& goal, std::optional<Cell> nearest, const PlaceGrid& grid);
+
+  /// One place that stands for a point.
+  GoalRegion(Cell place, Point point)
+      : nearest_(place), low_(place), high_(place), any_(place), goal_(point) {}
+
+  /// The goal, without its heading if that does not matter.
+  const Goal& goal() const { return goal_; }
 
   bool empty() const { return low_.x > high_.x; }
   /// Is there one place, in O(1)? The answer may be no although there is.
@@ -106,7 +112,12 @@ class GoalRegion {
     return any;
   }
 
-  friend bool operator==(const GoalRegion&, const GoalRegion&) = default;
+  /// Have they the same places? Where a point lies in its only place does not matter.
+  friend bool operator==(const GoalRegion& a, const GoalRegion& b) {
+    const bool points_matter = a.goal_.tolerance > 0 || b.goal_.tolerance > 0;
+    return a.nearest_ == b.nearest_ && a.low_ == b.low_ && a.high_ == b.high_ && a.any_ == b.any_ &&
+           (!points_matter || (a.goal_ == b.goal_ && a.grid_ == b.grid_));
+  }
 
  private:
   static constexpr Cell kNowhere{-1, -1};  // not a place

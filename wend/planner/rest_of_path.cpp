@@ -83,39 +83,48 @@ PlaceOnLines nearest_on_lines(std::span<const Point> joints, Point point, std::s
   return nearest;
 }
 
-/// Rests of a path of lines, which begin at the middle of a cell.
+/// Rests of a path of lines. Those over cells begin at the middle of a cell; those over waypoints at the start, or at
+/// the middle of its cell where the way from the start itself is not free.
 class RestsOfLines {
  public:
-  RestsOfLines(const FreeSpace& space, Adjacency adjacency, const Path& path, Cell start)
+  RestsOfLines(const FreeSpace& space, Adjacency adjacency, const Path& path, Point start)
       : space_(space), adjacency_(adjacency), path_(path), start_(start) {}
 
   /// From the start to a joint, over a point between them if there is one.
   void add(std::size_t joint, std::optional<Point> over = std::nullopt) {
     Path rest;
     if (const auto cells = path_.cells(); !cells.empty()) {
-      rest.append(start_);
+      rest.append(cell_at(start_));
       for (std::size_t i = joint; i < cells.size(); ++i) {
         if (rest.cells().back() != cells[i]) rest.append(cells[i]);
       }
       take_cheaper(best_, rest, check_any_angle_path(space_, adjacency_, rest.cells()));
       return;
     }
-    rest.go_to(centre_of(start_));
-    const auto go_on_to = [&](Point point) {
-      if (!(rest.waypoints().back() == point)) rest.go_to(point);
-    };
-    if (over) go_on_to(*over);
-    for (const Point point : path_.waypoints().subspan(joint)) go_on_to(point);
-    take_cheaper(best_, rest, check_any_angle_path(space_, adjacency_, rest.waypoints()));
+    if (!add_from(start_, joint, over)) add_from(centre_of(cell_at(start_)), joint, over);
   }
 
   std::optional<Plan> best() { return std::move(best_); }
 
  private:
+  /// False if that is not free.
+  bool add_from(Point start, std::size_t joint, std::optional<Point> over) {
+    Path rest;
+    rest.go_to(start);
+    const auto go_on_to = [&](Point point) {
+      if (!(rest.waypoints().back() == point)) rest.go_to(point);
+    };
+    if (over) go_on_to(*over);
+    for (const Point point : path_.waypoints().subspan(joint)) go_on_to(point);
+    const auto cost = check_any_angle_path(space_, adjacency_, rest.waypoints());
+    take_cheaper(best_, std::move(rest), cost);
+    return cost.has_value();
+  }
+
   const FreeSpace& space_;
   Adjacency adjacency_;
   const Path& path_;
-  Cell start_;
+  Point start_;
   std::optional<Plan> best_;
 };
 
@@ -198,9 +207,10 @@ std::optional<Plan> rest_of_lines(const FreeSpace& space, Adjacency adjacency, c
   const auto start = cell_under(space, query.start.point());
   if (!start || path.empty() || path.driven()) return std::nullopt;
   const std::vector<Point> joints = path.points();
-  const PlaceOnLines place = nearest_on_lines(joints, centre_of(*start), passed);
+  const Point from = path.waypoints().empty() ? centre_of(*start) : query.start.point();
+  const PlaceOnLines place = nearest_on_lines(joints, from, passed);
   passed = place.joint;
-  RestsOfLines rests(space, adjacency, path, *start);
+  RestsOfLines rests(space, adjacency, path, from);
   const std::size_t last = joints.size() - 1;
   const std::size_t next = std::min(place.joint + 1, last);
   rests.add(next);

@@ -7,6 +7,7 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
+#include "wend/path/exact_ends.hpp"
 #include "wend/session/closest_place.hpp"
 
 namespace wend {
@@ -68,6 +69,10 @@ EasedQuery::EasedQuery(Query query, Planner& planner, const Explainer& explainer
     const Point start = middle_under(asked_start_.point());
     asked_start_ = {start.x, start.y, asked_start_.heading};
     for (Goal& goal : asked_goals_) goal.point = middle_under(goal.point);
+    query_.start = asked_start_;
+    for (Goal& goal : query_.goals) {
+      if (goal.tolerance == 0) goal.point = middle_under(goal.point);
+    }
   }
   if (leeway_.escape > 0) lead_start_out();
   if (leeway_.nearest) move_ends();
@@ -128,6 +133,22 @@ bool EasedQuery::ease_goals(Status status) {
   return true;
 }
 
+/// Where the start or a goal lies in the path's first or last cell, and the robot can go from there, the path begins or
+/// ends there.
+void EasedQuery::end_exactly(Plan& plan) const {
+  const auto moves = planner_.grid_moves();
+  if (!moves) return;
+  PathEnds ends{first_of(plan.path), last_of(plan.path)};
+  const bool begins = lead_.empty() && cell_under(planner_.free_space(), asked_start_.point()) ==
+                                           cell_at(ends.start);
+  if (begins) ends.start = asked_start_.point();
+  const Cell last = cell_at(ends.goal);
+  for (const Goal& goal : asked_goals_) {
+    if (cell_under(planner_.free_space(), goal.point) == last) ends.goal = goal.point;
+  }
+  plan.path = with_ends(plan.path, ends, planner_.free_space(), moves->adjacency());
+}
+
 void EasedQuery::finish(Plan& plan) {
   if (lead_out_) {
     const Pose first = lead_.poses().front();
@@ -138,6 +159,7 @@ void EasedQuery::finish(Plan& plan) {
     }
   }
   if (!plan.path.driven()) {
+    end_exactly(plan);
     const Point first = lead_.empty() ? first_of(plan.path) : first_of(lead_);
     plan.start_snapping_error = {distance(first, asked_start_.point()), 0};
     plan.goal_snapping_error = {distance_to_goals(last_of(plan.path), asked_goals_), 0};

@@ -42,7 +42,9 @@ class WEND_API EasedQuery {
   /// After a plan failed: puts the closest places in the place of the goals. True if there are some: then plan again.
   bool ease_goals(Status status);
 
-  /// After a plan was found: a sentence for each thing that was eased, and what else there is to say.
+  /// After a plan was found: a sentence for each thing that was eased, and what else there is to say. A path over cells
+  /// begins and ends at the points of the query where it can (with_ends()); its cost stays that of the way between the
+  /// centres.
   void finish(Plan& plan);
 
   /// Sentences about ends that were moved, led out or replaced.
@@ -58,6 +60,7 @@ class WEND_API EasedQuery {
  private:
   void lead_start_out();
   void move_ends();
+  void end_exactly(Plan& plan) const;
   std::string why_blocked(const Query& query) const;
 
   Query query_;

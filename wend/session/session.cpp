@@ -100,7 +100,8 @@ struct Session::State {
   std::optional<AnsweredPath> take_rest(const Errand& errand, const Planner& planner,
                                         const Query& query, double keep, Status& status,
                                         PlanAnswer& answer) const;
-  void remember(Errand errand, std::optional<AnsweredPath> rest_of, const PlanAnswer& answer);
+  void remember(Errand errand, std::optional<AnsweredPath> rest_of, const Path& found,
+                const PlanAnswer& answer);
   Status look_up(const View& view, const Query& query, Cell start, GridMoves moves, Plan& plan);
 
   /// Makes the free space if map or robot have changed. Who needs the same one waits; nobody else does.
@@ -324,6 +325,7 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
                           : planner.reason(eased.query(), status);
     return no_plan(PlanFailure{{status, std::move(why)}, metrics}, answer.search_seconds);
   }
+  const Path over_centres = asked != nullptr ? answer.plan.path : Path();
   eased.finish(answer.plan);
   answer.notes = eased.notes();
   answer.lead_out = eased.lead_out();
@@ -335,7 +337,7 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
   // Who receives paths sets the flag when one is good enough: that one is finished.
   finish_path(answer, request, eased.lead(),
               request.on_solution ? deadline.without_cancel() : deadline);
-  if (asked != nullptr) remember(std::move(errand), std::move(rest_of), answer);
+  if (asked != nullptr) remember(std::move(errand), std::move(rest_of), over_centres, answer);
   return answer;
 }
 
@@ -357,14 +359,14 @@ std::optional<AnsweredPath> Session::State::take_rest(const Errand& errand, cons
   return std::move(rest->of);
 }
 
-/// Keeps the answer for the next time.
-void Session::State::remember(Errand errand, std::optional<AnsweredPath> rest_of,
+/// Keeps the answer for the next time, and the path as the planner found it.
+void Session::State::remember(Errand errand, std::optional<AnsweredPath> rest_of, const Path& found,
                               const PlanAnswer& answer) {
   AnsweredPath path;
   if (rest_of) {
     path = *std::move(rest_of);
   } else {
-    path = {std::move(errand), std::make_shared<const Path>(answer.plan.path), nullptr,
+    path = {std::move(errand), std::make_shared<const Path>(found), nullptr,
             answer.plan.goal_snapping_error};
   }
   path.answered = std::make_shared<const Path>(answer.path());

@@ -1,13 +1,14 @@
 #pragma once
 
-// CornerSweep: the corners of Portals that a cell or a corner sees, and at which a shortest path from it can turn.
+// CornerSweep: the corners of Portals that a point or a corner sees, and at which a shortest path from it can turn.
 //
 //   wend::CornerSweep sweep(portals);
-//   sweep.from_cell({0, 3}, [&](std::uint32_t corner, wend::Ray ray) { see(corner, ray); });
+//   sweep.from_point(wend::SightPoint::centre({0, 3}),
+//                    [&](std::uint32_t corner, wend::Ray ray) { see(corner, ray); });
 //
 // Of several corners on one ray only the first is told: the others are reached through it. A corner is told only
 // where the ray is tangent to its obstacle: else a path that turns there is not the shortest. Seen from a corner,
-// rays are also tangent there. This is exact: coordinates are whole half cells.
+// rays are also tangent there. This is exact: coordinates are whole fractions of a cell.
 //
 // O(portals passed). One thread; it keeps its memory.
 
@@ -17,45 +18,40 @@
 #include <vector>
 
 #include "wend/sight/portals.hpp"
+#include "wend/sight/sight_point.hpp"
 
 namespace wend {
-
-/// From one point to another, in half cells.
-struct Ray {
-  std::int64_t x;
-  std::int64_t y;
-};
-
-/// Positive if b lies counterclockwise of a, where y points up.
-constexpr std::int64_t cross(Ray a, Ray b) { return a.x * b.y - a.y * b.x; }
 
 class CornerSweep {
  public:
   explicit CornerSweep(const Portals& portals) : portals_(&portals) {}
 
-  /// Calls tell(corner, ray to it) for every corner.
+  /// Calls tell(corner, ray to it) for every corner. Rays are in the steps of the point.
   template <class Tell>
-  void from_cell(Cell cell, Tell&& tell) {
-    const std::uint32_t run = portals_->run_of(cell);
-    const std::int64_t x = 2 * std::int64_t{cell.x} + 1;
-    const Cone all{run, 1, {-kFar, 1}, {kFar, 1}, false, false};
-    sweep<Side::above>(all, {x, cell.y}, tell, SeeNothing{});
-    sweep<Side::below>(all, {x, cell.y}, tell, SeeNothing{});
+  void from_point(const SightPoint& point, Tell&& tell) {
+    const Viewer viewer{point.x, point.cell.y, point.scale};
+    const std::int64_t above_row = point.y - point.scale * point.cell.y;
+    Cone all{
+        portals_->run_of(point.cell), point.scale - above_row, {-kFar, 1}, {kFar, 1}, false, false};
+    sweep<Side::above>(all, viewer, tell, SeeNothing{});
+    all.away = above_row;
+    sweep<Side::below>(all, viewer, tell, SeeNothing{});
   }
 
-  /// The same from a corner.
+  /// The same from a corner, in half cells.
   template <class Tell>
   void from_corner(std::uint32_t id, Tell&& tell) {
     from_corner(id, tell, SeeNothing{});
   }
 
-  /// And calls see(y, first x, last x) for cells of a row from which from_cell() tells this corner: for each of them at
+  /// And calls see(y, first x, last x) for cells of a row from which from_point() tells this corner to their
+  /// centres: for each of them at
   /// least once.
   template <class Tell, class See>
   void from_corner(std::uint32_t id, Tell&& tell, See&& see) {
     const TautCorner& corner = portals_->corners()[id];
     const Portal& portal = portals_->portal(corner.portal);
-    const Viewer viewer{2 * std::int64_t{corner.x}, corner.y};
+    const Viewer viewer{2 * std::int64_t{corner.x}, corner.y, 2};
     const Cone to_right{0, 2, {0, 1}, {kFar, 1}, false, false};
     const Cone to_left{0, 2, {-kFar, 1}, {0, 1}, false, false};
     Cone up = corner.rising ? to_right : to_left;
@@ -68,7 +64,7 @@ class CornerSweep {
   }
 
  private:
-  /// More than any distance on a map, in half cells.
+  /// More than any distance on a map, in steps.
   static constexpr std::int64_t kFar = std::int64_t{1} << 31;
 
   enum class Side : bool { below, above };
@@ -77,17 +73,18 @@ class CornerSweep {
     void operator()(int, int, int) const {}
   };
 
-  /// Who looks: its x in half cells, and the row that begins at it or contains it.
+  /// Who looks: its x in steps, the row that begins at it or contains it, and how many steps a cell has.
   struct Viewer {
     std::int64_t x;
     int y;
+    std::int64_t scale;
   };
 
   /// What is seen of a run: between two rays, both included, that end on its far side. Their y counts away from the
   /// point that looks, upwards or downwards.
   struct Cone {
     std::uint32_t run;
-    std::int64_t away;  // the distance of the run's far side, in half cells
+    std::int64_t away;  // the distance of the run's far side, in steps
     Ray left;
     Ray right;
     bool left_told;  // a corner on this ray has been told
@@ -106,7 +103,7 @@ class CornerSweep {
       const Cone cone = cones_.back();
       cones_.pop_back();
       if constexpr (!std::is_same_v<See, SeeNothing>) show_cells<kSide>(cone, viewer, see);
-      pass<kSide>(cone, viewer.x, tell);
+      pass<kSide>(cone, viewer, tell);
     }
   }
 
@@ -137,25 +134,26 @@ class CornerSweep {
 
   /// Clips a cone to each portal on the far side of its run.
   template <Side kSide, class Tell>
-  void pass(const Cone& cone, std::int64_t x0, Tell& tell) {
+  void pass(const Cone& cone, const Viewer& viewer, Tell& tell) {
     constexpr bool kUp = kSide == Side::above;
     const SightRun& run = portals_->run(cone.run);
     const std::uint32_t end = kUp ? portals_->end_above(cone.run) : portals_->end_below(cone.run);
-    for (std::uint32_t id = first_seen(cone, kUp ? run.first_above : run.first_below, end, x0);
+    for (std::uint32_t id = first_seen(cone, kUp ? run.first_above : run.first_below, end, viewer);
          id < end; ++id) {
       const Portal& portal = portals_->portal(id);
-      const std::int64_t x = 2 * std::int64_t{portal.left} - x0;
+      const std::int64_t x = viewer.scale * portal.left - viewer.x;
       if (side_of(x, cone.away, cone.right) > 0) return;
-      pass<kSide>(cone, portal, x0, tell);
+      pass<kSide>(cone, portal, viewer, tell);
     }
   }
 
   /// The first portal that ends not left of the cone.
   std::uint32_t first_seen(const Cone& cone, std::uint32_t first, std::uint32_t end,
-                           std::int64_t x0) const {
+                           const Viewer& viewer) const {
     constexpr std::uint32_t kFew = 8;
     const auto is_left = [&](std::uint32_t id) {
-      return side_of(2 * std::int64_t{portals_->portal(id).right} - x0, cone.away, cone.left) < 0;
+      const std::int64_t x = viewer.scale * portals_->portal(id).right - viewer.x;
+      return side_of(x, cone.away, cone.left) < 0;
     };
     while (end - first > kFew) {
       const std::uint32_t middle = first + (end - first) / 2;
@@ -170,13 +168,13 @@ class CornerSweep {
   }
 
   template <Side kSide, class Tell>
-  void pass(const Cone& cone, const Portal& portal, std::int64_t x0, Tell& tell) {
+  void pass(const Cone& cone, const Portal& portal, const Viewer& viewer, Tell& tell) {
     constexpr bool kUp = kSide == Side::above;
-    const Ray left{2 * std::int64_t{portal.left} - x0, cone.away};
-    const Ray right{2 * std::int64_t{portal.right} - x0, cone.away};
+    const Ray left{viewer.scale * portal.left - viewer.x, cone.away};
+    const Ray right{viewer.scale * portal.right - viewer.x, cone.away};
     const std::int64_t left_in = side_of(left.x, cone.away, cone.left);
     const std::int64_t right_in = -side_of(right.x, cone.away, cone.right);
-    Cone next{kUp ? portal.above : portal.below, cone.away + 2,
+    Cone next{kUp ? portal.above : portal.below, cone.away + viewer.scale,
               left_in > 0 ? left : cone.left,    right_in > 0 ? right : cone.right,
               left_in <= 0 && cone.left_told,    right_in <= 0 && cone.right_told};
     const auto told_on = [&](std::int64_t x) {

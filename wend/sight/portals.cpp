@@ -108,23 +108,26 @@ std::uint32_t Portals::run_of(Cell cell) const {
   return static_cast<std::uint32_t>(behind - runs_.begin()) - 1;
 }
 
-bool Portals::sees(Cell from, Cell to) const {
-  if (to.y < from.y) std::swap(from, to);
-  // In half cells, the line passes level y at x0 + dx (y0' - y0) / dy.
-  const std::int64_t dx = 2 * (std::int64_t{to.x} - from.x);
-  const std::int64_t dy = 2 * (std::int64_t{to.y} - from.y);
-  std::uint32_t run = run_of(from);
-  for (int y = from.y + 1; y <= to.y; ++y) {
-    const std::int64_t up = 2 * (std::int64_t{y} - from.y) - 1;
-    const std::int64_t at = dx * up + (2 * std::int64_t{from.x} + 1) * dy;  // x times dy
+bool Portals::sees(const SightPoint& one, const SightPoint& other) const {
+  const std::int64_t scale = std::max(one.scale, other.scale);
+  SightPoint from = one.scaled(scale);
+  SightPoint to = other.scaled(scale);
+  if (to.cell.y < from.cell.y) std::swap(from, to);
+  // The line passes level y at from.x + dx (y - from.y) / dy.
+  const std::int64_t dx = to.x - from.x;
+  const std::int64_t dy = to.y - from.y;
+  std::uint32_t run = run_of(from.cell);
+  for (int y = from.cell.y + 1; y <= to.cell.y; ++y) {
+    const std::int64_t up = scale * y - from.y;
+    const std::int64_t at = dx * up + from.x * dy;  // x times dy
     const auto begin = portals_.begin() + runs_[run].first_above;
     const auto end = portals_.begin() + end_above(run);
     const auto found = std::partition_point(
-        begin, end, [&](const Portal& portal) { return 2 * std::int64_t{portal.right} * dy < at; });
-    if (found == end || 2 * std::int64_t{found->left} * dy > at) return false;
+        begin, end, [&](const Portal& portal) { return scale * portal.right * dy < at; });
+    if (found == end || scale * found->left * dy > at) return false;
     run = found->above;
   }
-  return runs_[run].left <= to.x && to.x < runs_[run].right;
+  return runs_[run].left <= to.cell.x && to.cell.x < runs_[run].right;
 }
 
 }  // namespace wend

@@ -21,6 +21,7 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/map/bit_grid.hpp"
+#include "wend/sight/sight_point.hpp"
 
 namespace wend {
 
@@ -84,9 +85,13 @@ class Portals {
   /// The run of a free cell. O(log runs of the row).
   std::uint32_t run_of(Cell cell) const;
 
-  /// Does the line between the centres of two free cells pass no obstacle? It may touch some. Exact.
+  /// Does the line between two points of free cells pass no obstacle? It may touch some. Exact.
   /// O(rows between them, log portals each).
-  bool sees(Cell from, Cell to) const;
+  bool sees(const SightPoint& from, const SightPoint& to) const;
+  /// The same between the centres of cells.
+  bool sees(Cell from, Cell to) const {
+    return sees(SightPoint::centre(from), SightPoint::centre(to));
+  }
 
  private:
   std::uint32_t corner_at(int x, int y, std::uint32_t portal, BlockedCell blocked, bool rising);

@@ -38,7 +38,7 @@ class TautMap {
   /// With all edges known.
   const TautGraph& graph() const { return graph_; }
 
-  /// Calls tell(corner) for the corners of which CornerSweep::from_cell() tells, in the order of their numbers.
+  /// Calls tell(corner) for the corners of which CornerSweep::from_point() tells the centre of a cell, in the order of their numbers.
   template <class Tell>
   void for_each_seen(Cell cell, Tell&& tell) const {
     const std::size_t block = block_of(cell.x, cell.y);

@@ -34,7 +34,8 @@ TEST(TautMap, TellsTheCornersThatASweepFinds) {
     for (const Cell cell : every_cell(free)) {
       if (!free[cell]) continue;
       std::vector<std::uint32_t> swept;
-      sweep.from_cell(cell, [&](std::uint32_t corner, Ray) { swept.push_back(corner); });
+      sweep.from_point(SightPoint::centre(cell),
+                       [&](std::uint32_t corner, Ray) { swept.push_back(corner); });
       std::ranges::sort(swept);
       std::vector<std::uint32_t> looked_up;
       map->for_each_seen(cell, [&](std::uint32_t corner) { looked_up.push_back(corner); });

@@ -64,7 +64,7 @@ std::string fault_of(EuclideanEngine& engine, const test::Visibility& visibility
     return "length " + std::to_string(length) + ", expected " + std::to_string(shortest);
   }
   if (std::abs(engine.length() - length) > kRelative) return "it says another length";
-  return start == goal ? "" : visibility.fault(points, start, goal);
+  return start == goal ? "" : visibility.fault(points, start, centre_of(goal));
 }
 
 /// From all cells, or from some of them, to all. The number of queries.

@@ -33,7 +33,7 @@ bool is_wrong(const Planner& planner, const test::Visibility& visibility, Cell s
               double length, Status status, const Plan& plan) {
   if (status != Status::found) return std::isfinite(length);
   if (!(std::abs(plan.cost - length) <= kRelative * (1 + length))) return true;
-  if (!visibility.fault(plan.path.waypoints(), start, goal).empty()) return true;
+  if (!visibility.fault(plan.path.waypoints(), start, centre_of(goal)).empty()) return true;
   return plan.bound != 1 || plan.cost != plan.path.length() ||
          planner.grid_moves()->connectivity != Connectivity::eight;
 }
@@ -69,8 +69,9 @@ int expect_shortest(const BitGrid& free, CornerRule rule, int starts, std::uint6
       if (!is_wrong(**planner, visibility, start, goal, length, status, plan)) continue;
       ADD_FAILURE() << "from " << start.x << ',' << start.y << " to " << goal.x << ',' << goal.y
                     << ": " << to_string(status) << ", cost " << plan.cost << ", expected "
-                    << length << ' ' << visibility.fault(plan.path.waypoints(), start, goal)
-                    << " seed " << seed << '\n'
+                    << length << ' '
+                    << visibility.fault(plan.path.waypoints(), start, centre_of(goal)) << " seed "
+                    << seed << '\n'
                     << test::drawing_of(map);
       return;
     }
@@ -194,6 +195,103 @@ TEST(ShortestAnyAngle, LeadsDiscsAndPolygonsAlongFreePathsWhereverAStarDoes) {
   EXPECT_GT(lengths.queries, 300);
   EXPECT_LE(lengths.any_angle, 1.002 * lengths.taut) << "it knows the best way of a point only";
   EXPECT_LT(5 * lengths.longer, lengths.queries);
+}
+
+/// Each cell as 3 x 3 of them: their centres are other points of the cell than its centre.
+constexpr int kParts = 3;
+
+BitGrid divided(const BitGrid& free) {
+  BitGrid parts(kParts * free.width(), kParts * free.height());
+  for (const Cell part : every_cell(parts))
+    parts.set(part, free[{part.x / kParts, part.y / kParts}]);
+  return parts;
+}
+
+Point middle_of_part(Cell part) { return {(part.x + 0.5) / kParts, (part.y + 0.5) / kParts}; }
+
+/// From a few points inside cells to all others, on a map that it does not know or knows. The number of queries.
+int expect_shortest_between_points(std::uint64_t seed, bool is_known) {
+  Random random(seed);
+  const BitGrid free = test::random_cells(random, 6, 0.4);
+  const CornerRule rule = random_rule(random);
+  const BitGrid parts = divided(free);
+  test::Visibility visibility(
+      parts.width(), parts.height(), [&](Cell part) { return parts[part]; },
+      rule == CornerRule::both);
+  visibility.join_corners();
+  const FreeSpace space = *make_free_space(map_of(free));
+  const auto planner = *make_planner(space, ShortestAnyAngleOptions{.corner_rule = rule});
+  const Adjacency adjacency = planner->grid_moves()->adjacency();
+  if (is_known) {
+    const auto prepared = PreparedSight::of(space);
+    const auto portals = prepared->portals(space, adjacency);
+    prepared->count(portals, portals->corners().size());
+  }
+  const Cell start = test::random_cell(random, parts.width(), parts.height());
+  if (!parts[start]) return 0;
+  const std::vector<double> lengths = visibility.lengths_from(start);
+  int queries = 0;
+  for (const Cell goal : every_cell(map_of(parts))) {
+    if (!parts[goal]) continue;
+    const double length = lengths[visibility.number(goal.x, goal.y)] / kParts;
+    const Point from = middle_of_part(start);
+    const Query query{{from.x, from.y, 0}, {Goal(middle_of_part(goal))}};
+    Plan plan;
+    const Status status = planner->plan(query, plan);
+    ++queries;
+    EXPECT_EQ(status == Status::found, std::isfinite(length));
+    if (status != Status::found) continue;
+    EXPECT_NEAR(plan.cost, length, 1e-5 * (1 + length));
+    EXPECT_EQ(plan.path.waypoints().front(), middle_of_part(start));
+    EXPECT_EQ(plan.path.waypoints().back(), middle_of_part(goal));
+    EXPECT_FALSE(first_collision(plan.path, space, adjacency));
+    if (::testing::Test::HasFailure()) {
+      std::cout << "seed " << seed << " to " << goal.x << ',' << goal.y << '\n'
+                << test::drawing_of(map_of(parts));
+      return queries;
+    }
+  }
+  return queries;
+}
+
+TEST(ShortestAnyAngle, IsShortestBetweenAnyPointsOfCells) {
+  int queries = 0;
+  for (std::uint64_t seed = 1; seed <= test::share_of(600U) && !HasFailure(); ++seed) {
+    queries += expect_shortest_between_points(seed, seed % 2 == 0);
+  }
+  EXPECT_GT(queries, test::share_of(20'000));
+}
+
+/// Points on borders and vertices of cells too: the path begins and ends there wherever that is free.
+TEST(ShortestAnyAngle, BeginsAndEndsAtPointsOnBordersOfCells) {
+  int exact = 0;
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= test::share_of(3000U) && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const BitGrid free = test::random_cells(random, 12, 0.3);
+    const FreeSpace space = *make_free_space(map_of(free));
+    const auto planner = *make_planner(space, ShortestAnyAngleOptions{});
+    const auto point = [&] {
+      const Cell cell = test::random_cell(random, free.width(), free.height());
+      return Point{cell.x + random.between(0, 3) / 4.0, cell.y + random.between(0, 3) / 4.0};
+    };
+    const Point from = point();
+    const Query query{{from.x, from.y, 0}, {Goal(point())}};
+    const auto plan = planner->plan(query);
+    if (!plan) continue;
+    ++found;
+    const auto waypoints = plan->path.waypoints();
+    EXPECT_LT(distance(waypoints.front(), query.start.point()), 1e-5);
+    EXPECT_LT(distance(waypoints.back(), query.goals.front().point), 1e-5);
+    EXPECT_FALSE(first_collision(plan->path, space));
+    exact +=
+        waypoints.front() == query.start.point() && waypoints.back() == query.goals.front().point
+            ? 1
+            : 0;
+  }
+  EXPECT_GT(found, test::share_of(1000));
+  EXPECT_GT(exact * 100, found * 90);
 }
 
 /// 7 x 5 cells with a wall from the top, four cells long.

@@ -75,7 +75,10 @@ void TautEngine::begin(const Cell& start, std::span<const GoalRegion> goals, con
   observer_ = observer;
   limits_ = limits;
   if (!search_.knows_all()) prepare();
-  watched([&](auto&& watcher) { search_.begin(start, goals, limits_, watcher); });
+  goal_points_.clear();
+  for (const GoalRegion& region : goals) goal_points_.push_back(region.goal().point);
+  const SightPoint from = search_.sight_point(start_, start);
+  watched([&](auto&& watcher) { search_.begin(from, goals, limits_, watcher); });
 }
 
 /// Takes at most half of the time that there is.
@@ -116,7 +119,7 @@ SearchEvent TautEngine::event(TautSearch::Id id) const {
     std::optional<double> heading;
   };
   const auto place = [this](TautSearch::Id state) {
-    if (!search_.is_corner(state)) return Seat{search_.cell(state), {}};
+    if (!search_.is_corner(state)) return Seat{search_.end(state).cell, {}};
     const CellAtCorner at = cell_at(search_.corner(state));
     return Seat{at.cell, at.heading};
   };
@@ -133,19 +136,45 @@ SearchEvent TautEngine::event(TautSearch::Id id) const {
 
 void TautEngine::write_path(Path& path) const {
   path.clear();
-  TautSearch::Id id = search_.goal();
-  Point last = search_.point(id);
-  path.go_to(last);
-  if (search_.is_start(id)) return;
-  for (id = search_.parent(id); !search_.is_start(id); id = search_.parent(id)) {
-    const Point here = search_.point(id);
-    if (goes_straight_on(last, here, search_.point(search_.parent(id)))) continue;
-    path.go_to(here);
-    last = here;
+  TautSearch::Id last = search_.goal();
+  path.go_to(search_.point(last));
+  if (search_.is_start(last)) return end_exactly(path);
+  TautSearch::Id id = search_.parent(last);
+  for (; !search_.is_start(id); id = search_.parent(id)) {
+    if (search_.goes_straight_on(last, id, search_.parent(id))) continue;
+    path.go_to(search_.point(id));
+    last = id;
   }
   path.go_to(search_.point(id));
   path.reverse();
-  if (!space_.is_point() && !disc_fits_along_path(space_, path, adjacency_)) pull_trail(path);
+  if (space_.is_point() || disc_fits_along_path(space_, path, adjacency_)) {
+    end_exactly(path);
+  } else {
+    pull_trail(path);
+  }
+}
+
+/// The point of the query that a start or goal stands for.
+Point TautEngine::asked_point(TautSearch::Id end) const {
+  const SightPoint& found = search_.end(end);
+  if (search_.is_start(end)) return start_;
+  for (const Point goal : goal_points_) {
+    const auto cell = cell_under(space_, goal);
+    if (cell && search_.sight_point(goal, *cell) == found) return goal;
+  }
+  return found.point();
+}
+
+/// The search rounds points of the query to its steps. The path begins and ends at the points themselves, unless one of
+/// these lines then cuts a corner by a part of a step.
+void TautEngine::end_exactly(Path& path) const {
+  const std::span<const Point> waypoints = path.waypoints();
+  std::vector<Point> exact(waypoints.begin(), waypoints.end());
+  exact.front() = start_;
+  if (exact.size() > 1) exact.back() = asked_point(search_.goal());
+  if (exact.front() == waypoints.front() && exact.back() == waypoints.back()) return;
+  Path changed = Path::along(std::move(exact));
+  if (disc_fits_along_path(space_, changed, adjacency_)) path = std::move(changed);
 }
 
 /// In place of a path that does not fit.
@@ -157,7 +186,7 @@ void TautEngine::pull_trail(Path& path) const {
   }
   std::ranges::reverse(corners);
   write_pulled_trail(space_, adjacency_, search_.portals(), search_.cell_of_start(), corners,
-                     search_.cell(search_.goal()), path);
+                     search_.end(search_.goal()).cell, path);
 }
 
 }  // namespace wend

@@ -1,7 +1,8 @@
 #pragma once
 
-// TautEngine: TautSearch as a GridEngine. It writes paths of waypoints, and tells observers what the search does: a
-// corner as a cell beside it, with the direction from the cell's centre to the corner as heading.
+// TautEngine: TautSearch as a GridEngine. It writes paths of waypoints between the points that are asked for, and tells
+// observers what the search does: a corner as a cell beside it, with the direction from the cell's centre to the corner
+// as heading.
 
 #include <cstdint>
 #include <memory>
@@ -23,6 +24,7 @@ class TautEngine final : public GridEngine {
   ~TautEngine() override { prepared_->count(portals_, search_.take_looks()); }
 
   bool allocated() const override { return true; }
+  void set_start_point(Point start) override { start_ = start; }
   void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
              SearchObserver* observer) override;
   SearchOutcome step() override;
@@ -40,13 +42,17 @@ class TautEngine final : public GridEngine {
   void watched(Action&& action);
   void prepare();
   void pull_trail(Path& path) const;
+  void end_exactly(Path& path) const;
+  Point asked_point(TautSearch::Id end) const;
 
   FreeSpace space_;
   Adjacency adjacency_;
   std::shared_ptr<PreparedSight> prepared_;
   std::shared_ptr<const Portals> portals_;
   TautSearch search_;
-  Limits limits_;  // what is left of those of the query
+  Point start_;                     // of the query
+  std::vector<Point> goal_points_;  // of the query
+  Limits limits_;                   // what is left of those of the query
   SearchObserver* observer_ = nullptr;
 };
 

@@ -1,6 +1,7 @@
 #include "wend/planner/any_angle/taut_search.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace wend {
@@ -13,7 +14,8 @@ TautSearch::TautSearch(std::shared_ptr<const Portals> portals, const BitGrid& fr
       free_(&free),
       corners_(static_cast<Id>(portals_->corners().size())),
       nodes_(std::size_t{corners_} + 2),
-      goals_in_sight_(corners_) {}
+      goals_in_sight_(corners_),
+      finest_(SightPoint::finest(std::max(free.width(), free.height()))) {}
 
 void TautSearch::learn(std::shared_ptr<const TautMap> map) {
   map_ = std::move(map);
@@ -53,25 +55,50 @@ void TautSearch::begin_generation() {
 
 void TautSearch::find_goals(std::span<const GoalRegion> goals) {
   goals_.assign(goals);
-  goal_cells_.clear();
+  goal_ends_.clear();
+  is_at_goal_ = false;
+  goal_slack_ = 0;
   for (const GoalRegion& region : goals) {
-    region.for_each([this](Cell cell) {
-      if (free_->contains(cell) && (*free_)[cell]) goal_cells_.push_back(cell);
+    region.for_each([&](Cell cell) {
+      if (!free_->contains(cell) || !(*free_)[cell]) return;
+      const SightPoint end = cell == region.nearest() ? sight_point(region.goal().point, cell)
+                                                      : SightPoint::centre(cell);
+      goal_ends_.push_back(end);
+      goal_slack_ = std::max(goal_slack_, distance(end.point(), centre_of(cell)));
+      is_at_goal_ = is_at_goal_ || end == start_;
     });
+    is_at_goal_ =
+        is_at_goal_ || (region.contains(start_.cell) && region.goal().reaches(start_.point()));
   }
   if (goals.size() > 1) {  // they may overlap
-    std::ranges::sort(goal_cells_);
-    const auto repeated = std::ranges::unique(goal_cells_);
-    goal_cells_.erase(repeated.begin(), repeated.end());
+    const auto order = [](const SightPoint& end) {
+      return std::tuple(end.cell, end.scale, end.x, end.y);
+    };
+    std::ranges::sort(goal_ends_, {}, order);
+    const auto repeated = std::ranges::unique(goal_ends_);
+    goal_ends_.erase(repeated.begin(), repeated.end());
   }
-  const std::size_t states = std::size_t{corners_} + 1 + goal_cells_.size();
+  const std::size_t states = std::size_t{corners_} + 1 + goal_ends_.size();
   if (nodes_.size() < states) nodes_.resize(states);
 }
 
+Ray TautSearch::steps(Id id) const {
+  if (is_corner(id)) return {finest_ * corner(id).x, finest_ * corner(id).y};
+  const SightPoint at = end(id).scaled(finest_);
+  return {at.x, at.y};
+}
+
+bool TautSearch::goes_straight_on(Id a, Id b, Id c) const {
+  const Ray from = steps(a);
+  const Ray at = steps(b);
+  const Ray to = steps(c);
+  return cross({at.x - from.x, at.y - from.y}, {to.x - at.x, to.y - at.y}) == 0;
+}
+
 void TautSearch::look_around_goals() {
-  for (std::size_t i = 0; i < goal_cells_.size(); ++i) {
-    look_around(goal_cells_[i], [&](std::uint32_t corner, double length) {
-      if (map_ != nullptr) mark_ways_to(goal_cells_[i], corner);
+  for (std::size_t i = 0; i < goal_ends_.size(); ++i) {
+    look_around(goal_ends_[i], [&](std::uint32_t corner, double length) {
+      if (map_ != nullptr) mark_ways_to(goal_ends_[i], corner);
       GoalInSight& sight = goals_in_sight_[corner];
       if (sees_goal(corner) && sight.length <= length) return;
       sight = {length, static_cast<std::uint32_t>(i)};
@@ -81,7 +108,7 @@ void TautSearch::look_around_goals() {
 }
 
 /// The edges of dead ends by which a path comes to a corner from where it goes on to the goal, and those before them.
-void TautSearch::mark_ways_to(Cell goal, Id corner) {
+void TautSearch::mark_ways_to(const SightPoint& goal, Id corner) {
   const auto mark_behind = [this](TautGraph::Edges away) {
     for (std::uint32_t i = away.begin; i < away.end; ++i) {
       const std::uint32_t towards = graph_->edge(i).back;

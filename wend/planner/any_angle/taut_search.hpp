@@ -1,7 +1,7 @@
 #pragma once
 
-// TautSearch: A* on the corners of a map, from one cell to the nearest of some others: finds the shortest path of a
-// point at any angle. Its states are the start, corners, and the goals.
+// TautSearch: A* on the corners of a map, from a point of a cell to the nearest of some others: finds the shortest path
+// of a point at any angle. Its states are the start, corners, and the goals.
 //
 // At first it looks around starts and goals in each query, and around a corner once in all of them (TautGraph). When it
 // has a TautMap, it looks all of that up. A path goes on from a corner only as taut ones do. Into a dead end it goes only
@@ -47,8 +47,10 @@ class TautSearch {
   /// How often it has looked around a cell or a corner since it was last asked.
   std::uint64_t take_looks();
 
+  /// The path is to begin at the start, and to end at the point of a goal, in the cell that it lies in, or in the
+  /// centre of another one within its tolerance.
   template <class Watcher>
-  void begin(Cell start, std::span<const GoalRegion> goals, const Limits& limits,
+  void begin(const SightPoint& start, std::span<const GoalRegion> goals, const Limits& limits,
              Watcher&& watcher);
   template <class Watcher>
   void step(Watcher&& watcher);
@@ -59,18 +61,26 @@ class TautSearch {
 
   bool is_corner(Id id) const { return id < corners_; }
   const TautCorner& corner(Id id) const { return portals().corners()[id]; }
-  /// The cell of the start or a goal.
-  Cell cell(Id id) const { return id == start_id() ? start_ : goal_cells_[id - start_id() - 1]; }
-  Cell cell_of_start() const { return start_; }
+  /// The start or a goal.
+  const SightPoint& end(Id id) const {
+    return id == start_id() ? start_ : goal_ends_[id - start_id() - 1];
+  }
+  Cell cell_of_start() const { return start_.cell; }
   /// In grid coordinates.
   Point point(Id id) const;
+  /// Does a path go straight on at b, from a to c? Exact.
+  bool goes_straight_on(Id a, Id b, Id c) const;
+  /// The point of a free cell as it begins and ends lines of sight.
+  SightPoint sight_point(Point point, Cell cell) const {
+    return SightPoint::at(point, cell, finest_);
+  }
   bool is_start(Id id) const { return id == start_id(); }
 
   Id parent(Id id) const { return nodes_[id].parent; }
   double g(Id id) const { return nodes_[id].g; }
   double h(Id id) const;
   /// The estimate from the centre of a cell to the goals; 0 before the first search.
-  double h(Cell cell) const { return goal_cells_.empty() ? 0 : h(centre_of(cell), cell); }
+  double h(Cell cell) const { return goal_ends_.empty() ? 0 : h(centre_of(cell), cell); }
 
   /// The goal that was found; the start if it is one.
   Id goal() const { return goal_; }
@@ -112,17 +122,18 @@ class TautSearch {
   Id start_id() const { return corners_; }
   Id goal_id(std::size_t index) const { return corners_ + 1 + static_cast<Id>(index); }
   double h(Point point, Cell near) const;
-  /// From the centre of a cell to a corner.
-  Ray ray_to(Id id, Cell cell) const {
-    return {2 * (std::int64_t{corner(id).x} - cell.x) - 1,
-            2 * (std::int64_t{corner(id).y} - cell.y) - 1};
+  /// From a start or goal to a corner.
+  Ray ray_to(Id id, const SightPoint& end) const {
+    return {end.scale * corner(id).x - end.x, end.scale * corner(id).y - end.y};
   }
+  /// A state in steps of the finest scale, which start and goals have as well.
+  Ray steps(Id id) const;
 
   void begin_generation();
   void find_goals(std::span<const GoalRegion> goals);
   void look_around_goals();
   bool sees_goal(Id corner) const { return nodes_[corner].sees_goal_in == generation_; }
-  void mark_ways_to(Cell goal, Id corner);
+  void mark_ways_to(const SightPoint& goal, Id corner);
   /// Can no path to a goal go on along an edge?
   bool leads_nowhere(std::uint32_t edge) const {
     if (map_ != nullptr) return marks_[edge] != kLive && marks_[edge] != generation_;
@@ -141,9 +152,9 @@ class TautSearch {
   template <class Watcher>
   void expand_corner(Id id, Watcher& watcher);
 
-  /// Calls tell(corner, how far it is) for the corners that a cell sees.
+  /// Calls tell(corner, how far it is) for the corners that a start or goal sees.
   template <class Tell>
-  void look_around(Cell cell, Tell&& tell);
+  void look_around(const SightPoint& end, Tell&& tell);
   TautGraph::Edges ahead_of(Id id, const Node& node);
 
   std::shared_ptr<const Portals> portals_;
@@ -163,10 +174,13 @@ class TautSearch {
   std::uint32_t generation_ = 0;
   std::vector<Open> open_;    // a heap
   std::optional<Open> next_;  // the least of those that the last expansion reached, beside the heap
-  Cell start_{};
-  std::vector<Cell> goal_cells_;
+  std::int64_t finest_;       // scale of ends
+  SightPoint start_ = SightPoint::centre({});
+  bool is_at_goal_ = false;  // does the path end where it begins?
+  std::vector<SightPoint> goal_ends_;
   GoalCells goals_;
-  double shortest_ = 0;  // path to a goal that has been reached
+  double goal_slack_ = 0;  // how much nearer than the centre of its cell a goal may be
+  double shortest_ = 0;    // path to a goal that has been reached
   Id goal_ = kNone;
   SearchOutcome outcome_ = SearchOutcome::running;
   SearchMetrics metrics_;
@@ -174,8 +188,8 @@ class TautSearch {
 };
 
 template <class Watcher>
-void TautSearch::begin(Cell start, std::span<const GoalRegion> goals, const Limits& limits,
-                       Watcher&& watcher) {
+void TautSearch::begin(const SightPoint& start, std::span<const GoalRegion> goals,
+                       const Limits& limits, Watcher&& watcher) {
   begin_generation();
   start_ = start;
   find_goals(goals);
@@ -189,20 +203,23 @@ void TautSearch::begin(Cell start, std::span<const GoalRegion> goals, const Limi
 }
 
 inline double TautSearch::h(Point point, Cell near) const {
-  return goals_.least(near, [&](Cell goal) {
-    const double x = goal.x + 0.5 - point.x;
-    const double y = goal.y + 0.5 - point.y;
+  const auto to = [point](Point goal) {
+    const double x = goal.x - point.x;
+    const double y = goal.y - point.y;
     return std::sqrt(x * x + y * y);
-  });
+  };
+  if (goal_ends_.size() == 1) return to(goal_ends_.front().point());
+  const double to_centre = goals_.least(near, [&](Cell goal) { return to(centre_of(goal)); });
+  return std::max(0.0, to_centre - goal_slack_);
 }
 
 inline double TautSearch::h(Id id) const {
   if (id > start_id()) return 0;
-  return h(point(id), is_corner(id) ? Cell{corner(id).x, corner(id).y} : start_);
+  return h(point(id), is_corner(id) ? Cell{corner(id).x, corner(id).y} : start_.cell);
 }
 
 inline Point TautSearch::point(Id id) const {
-  if (!is_corner(id)) return centre_of(cell(id));
+  if (!is_corner(id)) return end(id).point();
   return {static_cast<double>(corner(id).x), static_cast<double>(corner(id).y)};
 }
 
@@ -242,7 +259,7 @@ void TautSearch::step(Watcher&& watcher) {
   nodes_[id].f = kClosed;
   ++metrics_.expanded;
   watcher.on_expand(id);
-  if (id > start_id() || (id == start_id() && goals_.contains(start_))) {
+  if (id > start_id() || (id == start_id() && is_at_goal_)) {
     goal_ = id;
     outcome_ = SearchOutcome::found;
   } else if (id == start_id()) {
@@ -272,9 +289,9 @@ void TautSearch::reach(Id id, double g, Id parent, std::uint32_t edge, Watcher& 
 template <class Watcher>
 void TautSearch::expand_start(Watcher& watcher) {
   bool sees_all = true;
-  for (std::size_t i = 0; i < goal_cells_.size(); ++i) {
-    if (portals().sees(start_, goal_cells_[i])) {
-      reach(goal_id(i), distance(centre_of(start_), centre_of(goal_cells_[i])), start_id(), kNone,
+  for (std::size_t i = 0; i < goal_ends_.size(); ++i) {
+    if (portals().sees(start_, goal_ends_[i])) {
+      reach(goal_id(i), distance(start_.point(), goal_ends_[i].point()), start_id(), kNone,
             watcher);
     } else {
       sees_all = false;
@@ -303,15 +320,17 @@ void TautSearch::expand_corner(Id id, Watcher& watcher) {
 }
 
 template <class Tell>
-void TautSearch::look_around(Cell cell, Tell&& tell) {
+void TautSearch::look_around(const SightPoint& end, Tell&& tell) {
+  const auto steps = static_cast<double>(end.scale);
   const auto told = [&](std::uint32_t id, Ray ray) {
-    tell(id, std::sqrt(static_cast<double>(ray.x * ray.x + ray.y * ray.y)) / 2);
+    tell(id, std::sqrt(static_cast<double>(ray.x * ray.x + ray.y * ray.y)) / steps);
   };
-  if (map_ == nullptr) {
+  const bool is_centre = end == SightPoint::centre(end.cell);
+  if (map_ == nullptr || !is_centre) {
     ++looks_;
-    return sweep_.from_cell(cell, told);
+    return sweep_.from_point(end, told);
   }
-  map_->for_each_seen(cell, [&](std::uint32_t id) { told(id, ray_to(id, cell)); });
+  map_->for_each_seen(end.cell, [&](std::uint32_t id) { told(id, ray_to(id, end)); });
 }
 
 template <class Visit>

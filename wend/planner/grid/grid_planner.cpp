@@ -33,6 +33,7 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
   if (!start_cell) return Status::start_outside;
   if (!space.passable(*start_cell)) return Status::start_blocked;
   start = *start_cell;
+  start_point = query.start.point();
   goals.clear();
   std::optional<Status> why_none;  // of the first goal
   for (const Goal& goal : query.goals) {
@@ -40,7 +41,7 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
     // The usual goal takes a fraction of the work; a query by an index is short enough to notice.
     if (goal.tolerance == 0 && cell_of_goal &&
         space.components().connected(start, *cell_of_goal, adjacency)) {
-      goals.emplace_back(*cell_of_goal);
+      goals.emplace_back(*cell_of_goal, goal.point);
       continue;
     }
     GoalRegion region(goal, cell_of_goal, cells_of(space));
@@ -100,6 +101,7 @@ std::optional<Status> GridPlanner::do_check(const Query& query) {
 }
 
 void GridPlanner::begin_search(const Limits& limits, SearchObserver* observer) {
+  engine_->set_start_point(cells_.start_point);
   engine_->begin(cells_.start, cells_.goals, limits, observer);
 }
 

@@ -16,7 +16,12 @@
 
 namespace wend {
 
-using GridEngine = SearchEngine<Cell, GoalRegion>;
+class GridEngine : public SearchEngine<Cell, GoalRegion> {
+ public:
+  /// The point in its cell at which the next search is to begin. Only engines of any angle use it; others begin at
+  /// the centre.
+  virtual void set_start_point(Point /*start*/) {}
+};
 
 struct GridNames {
   static Cell place(const auto& state) { return state.cell; }
@@ -37,6 +42,7 @@ using GridEngineOf =
 /// The cells that a query names, once it has been found answerable.
 struct WEND_API GridQuery {
   Cell start;
+  Point start_point;              // in that cell
   std::vector<GoalRegion> goals;  // those with cells that can be reached, which bound them
 
   /// Takes the cells of a query; a status other than nothing if it cannot be answered.
