@@ -74,9 +74,7 @@ double length_into(Cell end, double to_centre, const Visibility& visibility,
   for (const TestGoal& goal : query.goals) {
     const bool within = distance(goal.point, centre_of(end)) <= goal.tolerance + Goal::kRounding;
     const bool has_point = cell_at(goal.point) == end;
-    if (goal.tolerance > 0 && within && (!has_point || end == query.start)) {
-      shortest = std::min(shortest, to_centre);
-    }
+    if (goal.tolerance > 0 && within) shortest = std::min(shortest, to_centre);
     const auto point = Visibility::at(goal.point);
     if (!has_point || !point || to_centre == kInfinite) continue;
     shortest = std::min(shortest, visibility.length_between(query.start, *point));

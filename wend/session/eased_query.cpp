@@ -144,7 +144,8 @@ void EasedQuery::end_exactly(Plan& plan) const {
   if (begins) ends.start = asked_start_.point();
   const Cell last = cell_at(ends.goal);
   for (const Goal& goal : asked_goals_) {
-    if (cell_under(planner_.free_space(), goal.point) == last) ends.goal = goal.point;
+    const bool reached = goal.reaches(last_of(plan.path));
+    if (!reached && cell_under(planner_.free_space(), goal.point) == last) ends.goal = goal.point;
   }
   plan.path = with_ends(plan.path, ends, planner_.free_space(), moves->adjacency());
 }

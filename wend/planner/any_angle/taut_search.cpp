@@ -61,11 +61,11 @@ void TautSearch::find_goals(std::span<const GoalRegion> goals) {
   for (const GoalRegion& region : goals) {
     region.for_each([&](Cell cell) {
       if (!free_->contains(cell) || !(*free_)[cell]) return;
-      const SightPoint end = cell == region.nearest() ? sight_point(region.goal().point, cell)
-                                                      : SightPoint::centre(cell);
-      goal_ends_.push_back(end);
-      goal_slack_ = std::max(goal_slack_, distance(end.point(), centre_of(cell)));
-      is_at_goal_ = is_at_goal_ || end == start_;
+      const SightPoint centre = SightPoint::centre(cell);
+      const SightPoint end =
+          cell == region.nearest() ? sight_point(region.goal().point, cell) : centre;
+      add_goal(end);
+      if (end != centre && region.goal().reaches(centre.point())) add_goal(centre);
     });
     is_at_goal_ =
         is_at_goal_ || (region.contains(start_.cell) && region.goal().reaches(start_.point()));
@@ -80,6 +80,12 @@ void TautSearch::find_goals(std::span<const GoalRegion> goals) {
   }
   const std::size_t states = std::size_t{corners_} + 1 + goal_ends_.size();
   if (nodes_.size() < states) nodes_.resize(states);
+}
+
+void TautSearch::add_goal(const SightPoint& end) {
+  goal_ends_.push_back(end);
+  goal_slack_ = std::max(goal_slack_, distance(end.point(), centre_of(end.cell)));
+  is_at_goal_ = is_at_goal_ || end == start_;
 }
 
 Ray TautSearch::steps(Id id) const {

@@ -47,8 +47,8 @@ class TautSearch {
   /// How often it has looked around a cell or a corner since it was last asked.
   std::uint64_t take_looks();
 
-  /// The path is to begin at the start, and to end at the point of a goal, in the cell that it lies in, or in the
-  /// centre of another one within its tolerance.
+  /// The path is to begin at the start, and to end at the point of a goal, or at the centre of a cell within its
+  /// tolerance.
   template <class Watcher>
   void begin(const SightPoint& start, std::span<const GoalRegion> goals, const Limits& limits,
              Watcher&& watcher);
@@ -131,6 +131,7 @@ class TautSearch {
 
   void begin_generation();
   void find_goals(std::span<const GoalRegion> goals);
+  void add_goal(const SightPoint& end);
   void look_around_goals();
   bool sees_goal(Id corner) const { return nodes_[corner].sees_goal_in == generation_; }
   void mark_ways_to(const SightPoint& goal, Id corner);
