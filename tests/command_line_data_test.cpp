@@ -66,14 +66,13 @@ TEST_F(SharedData, PlansOnARealRosMap) {
   in_json.insert(in_json.end(), {"-o", png, "--format", "json"});
   const json plan = json::parse(wend(in_json).out);
   EXPECT_EQ(plan.at("status"), "found");
-  EXPECT_NEAR(plan.at("path_m").front().at(0).get<double>(), -2, 0.03);
-  EXPECT_NEAR(plan.at("path_m").back().at(1).get<double>(), 0.6, 0.03);
+  EXPECT_NEAR(plan.at("path_m").front().at(0).get<double>(), -2, 1e-9);
+  EXPECT_NEAR(plan.at("path_m").back().at(1).get<double>(), 0.6, 1e-9);
   EXPECT_GT(plan.at("length_m").get<double>(), 3.8);
   EXPECT_THAT(bytes_of(png), StartsWith("\x89PNG"));
   const Outcome text = wend(query);
   EXPECT_THAT(text.out,
-              AllOf(StartsWith("ends      in the middles of cells: the start 0.0354 m from"),
-                    HasSubstr("\nplanner"), HasSubstr(" m\n")));
+              AllOf(StartsWith("planner"), HasSubstr(" m\n"), Not(HasSubstr("middles of cells"))));
   EXPECT_EQ(text.out.find("\x1b"), std::string::npos);
 }
 

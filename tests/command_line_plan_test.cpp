@@ -343,11 +343,26 @@ class MetricPlan : public PlanCommand {
 
 TEST_F(MetricPlan, CountsInMetres) {
   const json found = plan_json("-0.4,-0.9", "0.1,-0.99");
+  EXPECT_EQ(found.at("waypoints"), true) << "it begins and ends beside the centres";
+  EXPECT_EQ(found.at("path_m").size(), 5U);
+  EXPECT_EQ(found.at("path_m").front(), json({-0.4, -0.9}));
+  EXPECT_EQ(found.at("path_m").at(1), json({-0.375, -0.625}));
+  EXPECT_NEAR(found.at("path_m").back().at(0).get<double>(), 0.1, 1e-12);
+  EXPECT_NEAR(found.at("path_m").back().at(1).get<double>(), -0.99, 1e-12);
+  EXPECT_EQ(found.at("cost"), 4) << "of the way between the centres";
+  const double metres = std::hypot(0.025, 0.275) + 0.5 + std::hypot(0.025, 0.365);
+  EXPECT_NEAR(found.at("length_m").get<double>(), metres, 1e-9);
+  EXPECT_THAT(plan("-0.4,-0.9", "0.1,-0.99").out,
+              AllOf(HasSubstr("-0.4,-0.9>-0.375,-0.625>"), HasSubstr("cells, 1.14199 m")));
+}
+
+TEST_F(MetricPlan, GoesFromCellToCellBetweenCentres) {
+  const json found = plan_json("-0.375,-0.875", "0.125,-0.875");
   EXPECT_EQ(found.at("path"), json({{0, 0}, {0, 1}, {1, 1}, {2, 1}, {2, 0}}));
   EXPECT_EQ(found.at("path_m").front(), json({-0.375, -0.875}));
   EXPECT_EQ(found.at("length_cells"), 4);
   EXPECT_EQ(found.at("length_m"), 1);
-  EXPECT_THAT(plan("-0.4,-0.9", "0.1,-0.99").out, HasSubstr("4 cells, 1 m"));
+  EXPECT_THAT(plan("-0.375,-0.875", "0.125,-0.875").out, HasSubstr("4 cells, 1 m"));
 }
 
 TEST_F(MetricPlan, DoesNotWriteOverTheMapItReads) {

@@ -125,7 +125,7 @@ PosthocTrace CellQuery::trace(TraceForm form, std::uint64_t most_events) const {
 }
 
 std::string CellQuery::steps(const Plan& plan, const Screen& screen) const {
-  return is_small(space_.map(), screen) ? path_line(plan.path) : "";
+  return is_small(space_.map(), screen) ? path_line(plan.path, space_.map().frame()) : "";
 }
 
 std::string CellQuery::summary(const PlanResult& result) const {

@@ -123,14 +123,17 @@ std::string time_text(double seconds) {
   return fmt::format("{:.2f} s", seconds);
 }
 
-std::string path_line(const Path& path) {
+std::string path_line(const Path& path, const Frame& frame) {
   std::string text;
   const auto append = [&text](const std::string& joint) {
     if (!text.empty()) text += '>';
     text += joint;
   };
   for (const Cell cell : path.cells()) append(cell_text(cell));
-  for (const Point point : path.waypoints()) append(fmt::format("{},{}", point.x, point.y));
+  for (const Point point : path.waypoints()) {
+    const MapPoint at = frame.metric ? frame.to_metres(point) : MapPoint{point.x, point.y};
+    append(fmt::format("{:.4g},{:.4g}", at.x, at.y));
+  }
   return text + '\n';
 }
 

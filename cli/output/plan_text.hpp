@@ -14,7 +14,7 @@ namespace wend::cli {
 std::string time_text(double seconds);
 
 /// "(1,1)>(2,1)>(3,1)" and a line end
-std::string path_line(const Path& path);
+std::string path_line(const Path& path, const Frame& frame);
 
 /// Which of several goals was reached: a line.
 std::string goal_line(const std::string& goal, std::size_t goals);
