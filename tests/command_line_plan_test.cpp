@@ -343,7 +343,7 @@ class MetricPlan : public PlanCommand {
 
 TEST_F(MetricPlan, CountsInMetres) {
   const json found = plan_json("-0.4,-0.9", "0.1,-0.99");
-  EXPECT_EQ(found.at("waypoints"), true) << "it begins and ends beside the centres";
+  EXPECT_EQ(found.at("path"), json({{0, 0}, {0, 1}, {1, 1}, {2, 1}, {2, 0}}));
   EXPECT_EQ(found.at("path_m").size(), 5U);
   EXPECT_EQ(found.at("path_m").front(), json({-0.4, -0.9}));
   EXPECT_EQ(found.at("path_m").at(1), json({-0.375, -0.625}));
@@ -353,7 +353,13 @@ TEST_F(MetricPlan, CountsInMetres) {
   const double metres = std::hypot(0.025, 0.275) + 0.5 + std::hypot(0.025, 0.365);
   EXPECT_NEAR(found.at("length_m").get<double>(), metres, 1e-9);
   EXPECT_THAT(plan("-0.4,-0.9", "0.1,-0.99").out,
-              AllOf(HasSubstr("-0.4,-0.9>-0.375,-0.625>"), HasSubstr("cells, 1.14199 m")));
+              AllOf(HasSubstr("(0,0)>(0,1)>(1,1)>(2,1)>(2,0)\n"), HasSubstr("cells, 1.14199 m")));
+  const std::string csv = folder_ / "path.csv";
+  plan("-0.4,-0.9", "0.1,-0.99", {"-o", csv});
+  EXPECT_THAT(bytes_of(csv), AllOf(StartsWith("x,y,x_m,y_m\n0,0,-0.4,-0.9\n0,1,-0.375,-0.625\n"),
+                                   HasSubstr("\n2,0,0.0999")));
+  EXPECT_THAT(wend({"check", map_, csv}).out, HasSubstr("length, m                     1.142"))
+      << "the ends are read back";
 }
 
 TEST_F(MetricPlan, GoesFromCellToCellBetweenCentres) {

@@ -129,7 +129,10 @@ std::string path_line(const Path& path, const Frame& frame) {
     if (!text.empty()) text += '>';
     text += joint;
   };
-  for (const Cell cell : path.cells()) append(cell_text(cell));
+  if (path.leads_over_cells()) {
+    for (const Cell cell : path.passed_cells()) append(cell_text(cell));
+    return text + '\n';
+  }
   for (const Point point : path.waypoints()) {
     const MapPoint at = frame.metric ? frame.to_metres(point) : MapPoint{point.x, point.y};
     append(fmt::format("{:.4g},{:.4g}", at.x, at.y));

@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-constexpr double kSamePoint = 1e-9;  // cells
+constexpr double kSamePoint = 1e-6;  // cells: metres far from the origin are rounded
 
 /// Are the cells of two points the same, or neighbours along an edge? A line between the points stays in them.
 bool share_an_edge(Point a, Point b) {
@@ -59,7 +59,8 @@ Path with_ends(const Path& path, const PathEnds& ends, const FreeSpace& space,
   const bool stops = beginning.change(points, ends.goal);
   if (!begins && !stops) return path;
   std::ranges::reverse(points);
-  return Path::along(std::move(points));
+  return path.leads_over_cells() ? Path::over_cells(std::move(points))
+                                 : Path::along(std::move(points));
 }
 
 }  // namespace wend

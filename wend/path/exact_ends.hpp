@@ -23,8 +23,8 @@ struct PathEnds {
   Point goal;
 };
 
-/// The path (not empty, not of poses) with these ends, for the disc around the robot; it is made of waypoints, or the
-/// same path if neither end changes. On terrain or clearance costs it does not leave the cells of its steps.
+/// The path (not empty, not of poses) with these ends, for the disc around the robot; it is made of waypoints (over
+/// cells, if it was made of cells), or the same path if neither end changes. On terrain or clearance costs it does not leave the cells of its steps.
 /// O(cells passed at the ends, length of the path).
 WEND_API Path with_ends(const Path& path, const PathEnds& ends, const FreeSpace& space,
                         Adjacency adjacency = Adjacency::edges);

@@ -16,6 +16,7 @@ namespace wend {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
 
 FreeSpace space_of(const char* drawing, double radius = 0) {
   return *make_free_space(test::drawn_map(drawing), {.footprint = Footprint::disc(radius)});
@@ -31,6 +32,8 @@ TEST(ExactEnds, TakeThePlaceOfTheCentres) {
   const Path exact = with_ends(path, {{0.9, 0.2}, {3.1, 0.8}}, space_of("....\n"));
   EXPECT_THAT(exact.waypoints(),
               ElementsAre(Point{0.9, 0.2}, Point{1.5, 0.5}, Point{2.5, 0.5}, Point{3.1, 0.8}));
+  EXPECT_TRUE(exact.leads_over_cells());
+  EXPECT_THAT(exact.passed_cells(), ElementsAreArray(path.cells()));
 }
 
 TEST(ExactEnds, GoByWayOfTheCentreWhereTheStraightLineIsBlocked) {

@@ -167,7 +167,10 @@ Path part_of(const Path& path, std::size_t first, std::size_t count) {
     return std::vector(part.begin(), part.end());
   };
   return path.visit([&](std::span<const Cell> cells) { return Path(some(cells)); },
-                    [&](std::span<const Point> waypoints) { return Path::along(some(waypoints)); },
+                    [&](std::span<const Point> waypoints) {
+                      return path.leads_over_cells() ? Path::over_cells(some(waypoints))
+                                                     : Path::along(some(waypoints));
+                    },
                     [&](const JoinedPoses& drive) { return Path::through(some(drive.poses())); });
 }
 
@@ -186,7 +189,8 @@ Path joined(const Path& lead, const Path& rest) {
         std::vector<Point> all = lead.points();
         all.pop_back();
         all.insert(all.end(), waypoints.begin(), waypoints.end());
-        return Path::along(std::move(all));
+        const bool over_cells = lead.leads_over_cells() && rest.leads_over_cells();
+        return over_cells ? Path::over_cells(std::move(all)) : Path::along(std::move(all));
       },
       [&](const JoinedPoses& drive) {
         std::vector<Pose> all = lead.poses();

@@ -103,6 +103,21 @@ Path Path::along(std::vector<Point> waypoints) {
   return path;
 }
 
+Path Path::over_cells(std::vector<Point> waypoints) {
+  Path path = along(std::move(waypoints));
+  path.over_cells_ = true;
+  return path;
+}
+
+std::vector<Cell> Path::passed_cells() const {
+  std::vector<Cell> passed;
+  for (const Point point : points()) {
+    const Cell cell = cell_at(point);
+    if (passed.empty() || passed.back() != cell) passed.push_back(cell);
+  }
+  return passed;
+}
+
 bool Path::of_steps() const {
   const auto far_apart = [](Cell a, Cell b) {
     return std::abs(a.x - b.x) > 1 || std::abs(a.y - b.y) > 1;
@@ -163,6 +178,7 @@ std::vector<MapPoint> Path::points_in_metres(const Frame& frame) const {
 }
 
 void Path::clear() {
+  over_cells_ = false;
   std::visit([](auto& joints) { joints.clear(); }, joints_);
 }
 

@@ -120,6 +120,10 @@ class WEND_API Path {
   /// A path of waypoints, in grid coordinates.
   static Path along(std::vector<Point> waypoints);
 
+  /// A path of waypoints that leads over cells: each waypoint is the centre of its cell, but for the first and the last
+  /// one, which may lie anywhere in theirs. Otherwise a path of waypoints like any other.
+  static Path over_cells(std::vector<Point> waypoints);
+
   /// Is there no cell, pose or waypoint?
   bool empty() const { return size() == 0; }
   /// The number of cells, poses or waypoints.
@@ -129,6 +133,12 @@ class WEND_API Path {
 
   /// Is it made of poses, not of cells or waypoints? An empty path is not.
   bool driven() const { return !driven_poses().empty(); }
+
+  /// Is it made of cells, or of waypoints in cells, see over_cells()?
+  bool leads_over_cells() const { return over_cells_ || !cells().empty(); }
+
+  /// The cells of such a path, one after the other; of others, those in which its points lie. O(n).
+  std::vector<Cell> passed_cells() const;
 
   /// Is it made of cells, each a neighbour of the one before? O(n).
   bool of_steps() const;
@@ -221,6 +231,7 @@ class WEND_API Path {
   // Poses and not the segments between them: a pose stays exactly where its planner put it, and a
   // search writes its path backwards.
   std::variant<CellBuffer, std::vector<Point>, std::vector<Pose>> joints_;
+  bool over_cells_ = false;  // of waypoints
 };
 
 }  // namespace wend

@@ -150,8 +150,8 @@ void put_path(Json& json, const Plan& plan, const Frame& frame, const Capabiliti
 }
 
 void put_joints(Json& json, const Path& path, const Frame& frame) {
-  const bool waypoints = !path.waypoints().empty();
-  json["path"] = waypoints ? json_of(path.points()) : json_of(path.cells());
+  const bool waypoints = !path.waypoints().empty() && !path.leads_over_cells();
+  json["path"] = waypoints ? json_of(path.points()) : json_of(path.passed_cells());
   if (waypoints) json["waypoints"] = true;
   json["path_m"] = json_of(path.points_in_metres(frame));
 }

@@ -148,8 +148,8 @@ Json json_of(const MeasuredPath& path, const Frame& frame) {
 }
 
 void put_paths(Json& json, const RefinedPath& path, const Frame& frame) {
-  if (!path.before.cells().empty()) {
-    json["path"] = json_of(path.before.cells());
+  if (path.before.leads_over_cells()) {
+    json["path"] = json_of(path.before.passed_cells());
     json["path_m"] = json_of(path.before.points_in_metres(frame));
   }
   put_refined(json, path, frame);

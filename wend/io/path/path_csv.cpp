@@ -193,13 +193,35 @@ std::string metres_text(MapPoint metres) {
   return format_number(metres.x) + "," + format_number(metres.y);
 }
 
-std::string csv_of(std::span<const Cell> cells, const Frame& frame) {
+/// Of a path over cells.
+std::string csv_of_cells(const Path& path, const Frame& frame) {
   std::string text = fmt::format("{}\n", kCellHeader);
-  for (const Cell cell : cells) {
+  for (const Point point : path.points()) {
+    const Cell cell = cell_at(point);
     fmt::format_to(std::back_inserter(text), "{},{},{}\n", cell.x, cell.y,
-                   metres_text(frame.to_metres(centre_of(cell))));
+                   metres_text(frame.to_metres(point)));
   }
   return text;
+}
+
+/// The point of a line with a cell: its centre, unless a map has metres and they say another point of it.
+Point point_in(Cell cell, MapPoint metres, const Frame& frame) {
+  constexpr double kRounding = 1e-6;  // cells
+  const Point centre = centre_of(cell);
+  if (!frame.metric) return centre;
+  const Point point = frame.to_grid(metres);
+  const bool inside = std::abs(point.x - centre.x) <= 0.5 && std::abs(point.y - centre.y) <= 0.5;
+  return inside && distance(point, centre) > kRounding ? point : centre;
+}
+
+/// A path over cells of which the first and the last point are given.
+Path ending_at(Path path, Point first, Point last) {
+  const auto cells = path.cells();
+  if (first == centre_of(cells.front()) && last == centre_of(cells.back())) return path;
+  std::vector<Point> points = path.points();
+  points.front() = first;
+  if (points.size() > 1) points.back() = last;
+  return Path::over_cells(std::move(points));
 }
 
 // {fmt} also writes the shortest text, but does not write a million as 1e+06.
@@ -232,7 +254,8 @@ std::string csv_of_poses(const Path& path, const Frame& frame) {
 }  // namespace
 
 std::string path_csv(const Path& path, const Frame& frame) {
-  return path.visit([&](std::span<const Cell> cells) { return csv_of(cells, frame); },
+  if (path.leads_over_cells()) return csv_of_cells(path, frame);
+  return path.visit([&](std::span<const Cell>) { return csv_of_cells(path, frame); },
                     [&](std::span<const Point>) { return csv_of_waypoints(path.poses(), frame); },
                     [&](const JoinedPoses&) { return csv_of_poses(path, frame); });
 }
@@ -259,11 +282,16 @@ Expected<Path, PathFileError> parse_path_csv(std::string_view text, const std::s
   std::vector<Point> points;
   Expected<void, Error> read;
   if (header == kCellHeader) {
+    std::optional<Point> first;
+    Point last;
     read = read_lines(lines, columns, file, [&] {
       const int x = columns.cell_coordinate(0);
       path.append({x, columns.cell_coordinate(1)});
       columns.check_numbers(2);
+      last = point_in(path.cells().back(), {columns.number(2), columns.number(3)}, frame);
+      if (!first) first = last;
     });
+    if (first && read) path = ending_at(std::move(path), *first, last);
   } else if (header == kPoseHeader || header == kOldPoseHeader) {
     read = read_lines(lines, columns, file, [&] {
       const Point point{columns.coordinate(0), columns.coordinate(1)};

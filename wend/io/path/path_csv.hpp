@@ -7,7 +7,8 @@
 //   2,1,0.125,0.075
 //
 // One line for each cell, including start and goal: column and row, then the cell's centre in the map's
-// frame, in metres (cells for a map without a resolution). A driven path has one line for each pose:
+// frame, in metres (cells for a map without a resolution); of the first and the last cell, the point at which the path
+// begins and ends, if that is not the centre. A cell may then be repeated. A driven path has one line for each pose:
 //
 //   x,y,heading,x_m,y_m,yaw,gear
 //   1,0,E,0.05,0,0,1
