@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,6 +14,9 @@
 
 namespace wend {
 namespace {
+
+/// Of a scenario: more do not fit into a file.
+constexpr std::size_t kLastLine = std::numeric_limits<std::int32_t>::max();
 
 /// An experiment's setup in Planner Arena; with the other columns it identifies the experiment.
 std::string setup_of(const BenchExperiment& experiment) {
@@ -63,6 +69,34 @@ void recall_progress(SqliteConnection& connection, std::int64_t experiment, std:
       at->progress.push_back({rows.number(1), rows.number(2)});
     }
   }
+}
+
+bool is_time(double seconds) { return seconds >= 0 && std::isfinite(seconds); }
+
+/// What no benchmark has stored, but a file may say. Values of SQLite have any type.
+std::string fault_of(const BenchAnswer& answer) {
+  if (answer.line > kLastLine) return "there is no such line";
+  if (!is_time(answer.length)) return "its length is negative or not finite";
+  bool times = std::ranges::all_of(answer.seconds, is_time);
+  if (answer.first)
+    times = times && is_time(answer.first->prepare_s) && is_time(answer.first->seconds);
+  double before = 0;
+  for (const BenchSolution& solution : answer.progress) {
+    times = times && is_time(solution.seconds) && solution.seconds >= before;
+    before = solution.seconds;
+    if (!is_time(solution.cost)) return "a cost in its progress is negative or not finite";
+  }
+  return times ? "" : "one of its times is negative or not finite";
+}
+
+/// What is wrong with a planner's answers; empty if nothing is.
+std::string fault_of(const BenchRecord& record) {
+  if (!is_time(record.index.build_s)) return "the time to build an index is negative or not finite";
+  for (const BenchAnswer& answer : record.answers) {
+    const std::string fault = fault_of(answer);
+    if (!fault.empty()) return fmt::format("the answer to line {}: {}", answer.line, fault);
+  }
+  return {};
 }
 
 std::optional<double> first_of(const BenchAnswer& answer, double FirstQuery::* time) {
@@ -129,6 +163,9 @@ Expected<std::int64_t, Error> BenchDatabase::planner(std::string_view spec) {
 
 Expected<BenchRecord, Error> BenchDatabase::record(std::int64_t experiment,
                                                    std::int64_t planner) const {
+  const auto damaged = [&](const std::string& fault) {
+    return Unexpected<Error>(error_of(file_, "the database is damaged: " + fault));
+  };
   BenchRecord record;
   SqliteStatement runs(
       *connection_,
@@ -140,9 +177,11 @@ Expected<BenchRecord, Error> BenchDatabase::record(std::int64_t experiment,
   for (runs.start(experiment, planner); runs.next();) {
     if (runs.integer(0) != last) {
       last = runs.integer(0);
-      const auto status = static_cast<Status>(runs.integer(2));
+      const std::int64_t status = runs.integer(2);
+      if (status < 0 || status >= kStatuses)
+        return damaged(fmt::format("there is no status {}", status));
       record.answers.push_back({.line = static_cast<std::size_t>(runs.integer(1)),
-                                .status = status,
+                                .status = static_cast<Status>(status),
                                 .length = runs.number(3),
                                 .expanded = static_cast<std::uint64_t>(runs.integer(4)),
                                 .wrong = runs.integer(5) == 0});
@@ -153,6 +192,9 @@ Expected<BenchRecord, Error> BenchDatabase::record(std::int64_t experiment,
   }
   recall_progress(*connection_, experiment, planner, record.answers);
   if (!ok()) return failure();
+  if (const std::string fault = fault_of(record); !fault.empty()) {
+    return damaged(fault);
+  }
   return record;
 }
 

@@ -91,7 +91,7 @@ class BenchDatabase {
   /// The number of a planner, typed with its options. A new planner is added.
   Expected<std::int64_t, Error> planner(std::string_view spec);
 
-  /// The stored answers. O(answers).
+  /// The stored answers. Fails for values that no benchmark stores, such as an unknown status. O(answers).
   Expected<BenchRecord, Error> record(std::int64_t experiment, std::int64_t planner) const;
 
   /// Stores answers, each of which has a pass at least: all or, after an error, none.

@@ -281,5 +281,30 @@ TEST_F(BenchDatabaseTest, TakesAnEmptyFileForANewOne) {
   EXPECT_EQ(error_of(file_), "");
 }
 
+TEST_F(BenchDatabaseTest, RefusesAnswersThatNoBenchmarkStores) {
+  const auto error_after = [&](const std::string& change) {
+    fill(file_, "astar", {answer(3, {0.5, 0.25}), answer(8, {1})});
+    rows_of(file_, change);
+    BenchDatabase database = open(file_);
+    const auto record =
+        database.record(database.experiment(kArena).value(), database.planner("astar").value());
+    fs::remove(file_);
+    return record ? "" : record.error().message;
+  };
+  EXPECT_EQ(error_after("SELECT 1"), "");
+  for (const char* status : {"18", "-1", "4294967296", "1e300"}) {
+    EXPECT_THAT(error_after(std::string("UPDATE runs SET status = ") + status),
+                HasSubstr("the database is damaged: there is no status "));
+  }
+  EXPECT_THAT(error_after("UPDATE passes SET time = -1 WHERE rowid = 1"),
+              HasSubstr("the answer to line 3: one of its times is negative or not finite"));
+  EXPECT_THAT(error_after("UPDATE passes SET time = 9e999 WHERE rowid = 3"),
+              HasSubstr("the answer to line 8: one of its times"));
+  EXPECT_THAT(error_after("UPDATE runs SET solution_length = -9e999"), HasSubstr("its length"));
+  EXPECT_THAT(error_after("UPDATE runs SET line = -1 WHERE id = 1"),
+              HasSubstr("there is no such line"));
+  EXPECT_THAT(error_after("UPDATE runs SET build_s = -1"), HasSubstr("build an index"));
+}
+
 }  // namespace
 }  // namespace wend

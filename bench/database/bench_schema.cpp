@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "wend/base/status.hpp"
 #include "wend/io/text.hpp"
 
 namespace wend {
@@ -10,8 +9,7 @@ namespace {
 
 constexpr std::int64_t kApplication = 0x77656E64;  // "wend"
 constexpr std::int64_t kDatabaseSchema = 2;        // of this file
-constexpr int kStatuses = static_cast<int>(Status::index_mismatch) + 1;
-constexpr std::size_t kLongestFault = 200;  // of a damaged database, in bytes
+constexpr std::size_t kLongestFault = 200;         // of a damaged database, in bytes
 
 // The columns up to `setup` are the twelve that Planner Arena knows. It treats later columns as
 // parameters of a problem, and asks `progress` for a best cost.

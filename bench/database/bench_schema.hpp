@@ -5,8 +5,12 @@
 #include <string>
 
 #include "bench/database/sqlite.hpp"
+#include "wend/base/status.hpp"
 
 namespace wend {
+
+/// The number of statuses, whose words are in `enums`.
+inline constexpr int kStatuses = static_cast<int>(Status::index_mismatch) + 1;
 
 /// Creates the tables of a new database, and checks an existing one. Returns what is wrong with it,
 /// or empty; if something is wrong, nothing was written.

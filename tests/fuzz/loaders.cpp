@@ -7,12 +7,15 @@
 
 #include "checks.hpp"
 #include "forged_index.hpp"
+#include "fuzzed_bench_database.hpp"
 #include "fuzzed_c_interface.hpp"
 #include "fuzzed_follow.hpp"
 #include "fuzzed_map_updates.hpp"
 #include "fuzzed_map_yaml.hpp"
 #include "fuzzed_mask.hpp"
 #include "fuzzed_path.hpp"
+#include "fuzzed_path_messages.hpp"
+#include "fuzzed_session.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_csv.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
@@ -205,8 +208,11 @@ constexpr std::array kLoaders{
     Loader{"footprint", fuzz_footprint},
     Loader{"primitives", fuzz_primitives},
     Loader{"index", fuzz_index},
+    Loader{"bench_database", fuzz_bench_database},
     Loader{"c_interface", fuzz_c_interface},
+    Loader{"session", fuzz_session},
     Loader{"map_updates", fuzz_map_updates},
+    Loader{"path_messages", fuzz_path_messages},
     Loader{"check", fuzz_check},
     Loader{"measure", fuzz_measure},
     Loader{"simplify", fuzz_simplify},

@@ -85,14 +85,30 @@ bool jumps_between(const Segment& before, const Segment& after) {
   return std::abs(normalized_angle(jump)) > kSmallJump;
 }
 
-/// In cells: a hundredth of one, or a millimetre, where that is less: chords of large cells would lead aside.
-double chord_tolerance(const Frame& frame) {
-  constexpr double kCells = 0.01;
-  constexpr double kMetres = 0.001;
-  return std::min(kCells, kMetres / frame.resolution);
+bool is_aside(const Segment& segment) { return std::abs(segment.course) > kSmallJump; }
+
+double chords_of(const JoinedPoses& joined, double tolerance) {
+  double count = 0;
+  for (std::size_t i = 0; i < joined.segment_count(); ++i) {
+    count += chord_count(way_of_base(joined.segment(i)), tolerance);
+  }
+  return count;
 }
 
-bool is_aside(const Segment& segment) { return std::abs(segment.course) > kSmallJump; }
+/// In cells: a hundredth of one, or a millimetre, where that is less: chords of large cells would lead aside. More
+/// where the arcs would need more than kMostChords, as those of poses thousands of kilometres apart.
+double chord_tolerance(const JoinedPoses& joined, const Frame& frame) {
+  constexpr double kCells = 0.01;
+  constexpr double kMetres = 0.001;
+  double tolerance = std::min(kCells, kMetres / frame.resolution);
+  constexpr double kLeast = 4;  // of an arc, at any tolerance
+  const double most = Route::kMostChords + kLeast * static_cast<double>(joined.segment_count());
+  for (double count = chords_of(joined, tolerance); count > most;
+       count = chords_of(joined, tolerance)) {
+    tolerance *= 2 * (count / most) * (count / most);
+  }
+  return tolerance;
+}
 
 /// Does a leg end between two segments that no turn in place separates?
 bool ends_between(const Segment& before, const Segment& after) {
@@ -107,11 +123,12 @@ std::vector<RouteLeg> legs_along(const JoinedPoses& joined, const Frame& frame) 
   std::vector<Arc> arcs;          // of this leg
   std::optional<Segment> before;  // of this leg, the last
   double course = 0;              // of this leg
+  const double tolerance = chord_tolerance(joined, frame);
   bool turn_first = false;
   bool turns = false;  // before the next segment
   const auto end_leg = [&] {
     if (arcs.empty()) return;
-    const Polyline line = polyline_of(arcs, chord_tolerance(frame));
+    const Polyline line = polyline_of(arcs, tolerance);
     legs.push_back(
         {in_metres(line.points(), frame, false), before->length < 0, turn_first, course});
     arcs.clear();

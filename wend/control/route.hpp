@@ -57,14 +57,17 @@ class WEND_API Route {
   /// A heading is no larger: more turns than that are a mistake, rad.
   static constexpr double kLargestHeading = 1e6;
 
+  /// How many lines the arcs of a path may become, besides a few for each: tens of kilometres of bends.
+  static constexpr int kMostChords = 1 << 18;
+
   /// Is it finite, and not farther than kFarthest?
   static bool can_hold(MapPoint point);
   /// Is it finite, and no larger than kLargestHeading?
   static bool can_hold(double heading);
 
   /// The route of a path (not empty) in grid coordinates. A path of poses has a leg for each stretch
-  /// between reversals and turns in place, however small, its arcs within 0.01 cells and a millimetre, and
-  /// ends with a heading. `closed` is for laps: a straight line, driven forwards, joins the end to the start.
+  /// between reversals and turns in place, however small, its arcs within 0.01 cells and a millimetre (more if these would
+  /// be more than kMostChords lines), and ends with a heading. `closed` is for laps: a straight line, driven forwards, joins the end to the start.
   /// A path with a place that no route can hold gives a route that is not valid().
   Route(const Path& path, const Frame& frame, bool closed = false);
 

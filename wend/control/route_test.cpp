@@ -198,5 +198,16 @@ TEST(Route, OfWhatIsNotFiniteIsNotValid) {
   EXPECT_TRUE(Route(Path::along({{0, 0}, {1, 0}}), {}).valid());
 }
 
+TEST(Route, OfArcsThatCrossThePlanetStaysSmall) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 300; ++i) poses.push_back({i % 2 * 9e7, i * 1e3, 1.5 * (i % 3)});
+  const Route route(Path::through(poses), {});
+  EXPECT_TRUE(route.valid());
+  std::size_t points = 0;
+  for (const RouteLeg& leg : route.legs()) points += leg.line.points().size();
+  EXPECT_LE(points, Route::kMostChords + 6 * poses.size());
+  EXPECT_GT(points, poses.size());
+}
+
 }  // namespace
 }  // namespace wend

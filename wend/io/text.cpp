@@ -49,6 +49,24 @@ std::size_t leading_text(std::string_view text) {
   return length == 1 || is_character(text.substr(0, length)) ? length : 0;
 }
 
+/// Is a character of more bytes a control character: U+0080 to U+009F, a separator of lines, or one that turns the
+/// direction of the text behind it?
+bool is_long_control(std::string_view character) {
+  if (character.size() == 2) return character[0] == '\xC2' && byte_of(character[1]) < 0xA0;
+  const auto within = [&](std::string_view first, std::string_view last) {
+    return character >= first && character <= last;
+  };
+  return character.size() == 3 &&
+         (within("\xE2\x80\xA8", "\xE2\x80\xAE") || within("\xE2\x81\xA6", "\xE2\x81\xA9"));
+}
+
+bool has_long_control(std::string_view text) {
+  for (std::size_t at = 0; at < text.size(); at += leading_text(text.substr(at))) {
+    if (is_long_control(text.substr(at, leading_text(text.substr(at))))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string lower_case(std::string text) {
@@ -131,7 +149,7 @@ std::string printable(std::string_view text, std::size_t longest) {
 std::string text_line(std::string_view text, std::size_t longest) {
   while (longest < text.size() && longest > 0 && continues_letter(text[longest])) --longest;
   text = text.substr(0, longest);
-  if (first_non_text(text)) return printable(text, longest / 4);
+  if (first_non_text(text) || has_long_control(text)) return printable(text, longest / 4);
   std::string line(text);
   const auto breaks_line = [](char letter) {
     return letter == '\n' || letter == '\r' || letter == '\t';
@@ -144,9 +162,7 @@ std::string visible(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
     const std::size_t length = leading_text(text);
-    // U+0080 to U+009F are control characters, too.
-    const bool control =
-        text[0] == '\r' || (length == 2 && text[0] == '\xC2' && byte_of(text[1]) < 0xA0);
+    const bool control = text[0] == '\r' || is_long_control(text.substr(0, length));
     const std::size_t count = std::max<std::size_t>(length, 1);
     shown += length == 0 || control ? printable(text, count) : std::string(text.substr(0, count));
     text.remove_prefix(count);

@@ -137,6 +137,10 @@ TEST(Visible, ShowsWhatATerminalWouldObey) {
             "\\xC2\\x9B2J")
       << "CSI as one character";
   EXPECT_EQ(visible("\xC2\xA0"), "\xC2\xA0");
+  EXPECT_EQ(visible("map\u202Efdp"), "map\\xE2\\x80\\xAEfdp") << "it would end in 'pdf'";
+  EXPECT_EQ(visible("\u2028\u2066\u2069"), "\\xE2\\x80\\xA8\\xE2\\x81\\xA6\\xE2\\x81\\xA9");
+  EXPECT_EQ(visible("\u2027\u202F\u2065\u206A"), "\u2027\u202F\u2065\u206A");
+  EXPECT_EQ(text_line("a\u202Eb", 40), "a\\xE2\\x80\\xAEb");
   EXPECT_EQ(visible("\xFF\xC3"), "\\xFF\\xC3") << "not UTF-8";
   EXPECT_EQ(visible(""), "");
 }

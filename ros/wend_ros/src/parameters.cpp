@@ -7,6 +7,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
+#include "wend/io/text.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
@@ -238,9 +239,9 @@ const OptionInfo* Parameters::find(std::string_view name) const {
 
 std::string Parameters::set(std::string_view name, std::string_view value) {
   const OptionInfo* option = find(name);
-  if (option == nullptr) return "there is no parameter '" + std::string(name) + "'";
+  if (option == nullptr) return "there is no parameter " + wend::quote(name);
   const std::string fault = fault_of(*option, value);
-  if (!fault.empty()) return "parameter '" + std::string(name) + "': " + fault;
+  if (!fault.empty()) return "parameter " + wend::quote(name) + ": " + fault;
   values_[static_cast<std::size_t>(option - schema_.data())] = value;
   if (option->name == kPrimitives) read_primitives();
   return {};

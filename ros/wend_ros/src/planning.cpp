@@ -7,6 +7,7 @@
 
 #include "wend/base/thread_time.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/io/text.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
@@ -25,7 +26,7 @@ wend::Expected<wend::PlannerSpec, wend::Error> spec_of(const Parameters& paramet
   if (!specs) return wend::Unexpected(specs.error());
   if (specs->size() != 1) {
     return wend::Unexpected<wend::Error>(
-        {wend::Status::invalid_option, "one planner expected, not '" + text + "'"});
+        {wend::Status::invalid_option, "one planner expected, not " + wend::quote(text)});
   }
   wend::PlannerSpec spec = std::move(specs->front());
   // What the request says comes last, and so counts.

@@ -3,8 +3,10 @@
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <cmath>
+#include <cstddef>
 
 #include "wend/control/route.hpp"
+#include "wend/io/text.hpp"
 #include "wend_ros/pose_message.hpp"
 
 namespace wend_ros {
@@ -12,6 +14,9 @@ namespace {
 
 /// A robot whose tf is older than this is somewhere else by now.
 constexpr double kStale = 2;
+
+/// Of what tf says about names of frames, bytes.
+constexpr std::size_t kLongestReason = 300;
 
 std::optional<wend::MapPose> start_parameter(ros::NodeHandle& own) {
   wend::MapPose pose;
@@ -56,11 +61,11 @@ wend::Expected<wend::MapPose, std::string> RobotPose::in(
     const auto transform = buffer_.lookupTransform(frame_id, pose.header.frame_id, ros::Time(0));
     tf2::doTransform(pose, moved, transform);
     auto there = moved_pose_from(moved.pose);
-    if (!there) return wrong("the pose, taken to '" + frame_id + "', " + there.error());
+    if (!there) return wrong("the pose, taken to " + wend::quote(frame_id) + ", " + there.error());
     return there;
   } catch (const tf2::TransformException& error) {
-    return wrong("the frame '" + pose.header.frame_id + "' cannot be taken to '" + frame_id +
-                 "': " + error.what());
+    return wrong("the frame " + wend::quote(pose.header.frame_id) + " cannot be taken to " +
+                 wend::quote(frame_id) + ": " + wend::text_line(error.what(), kLongestReason));
   }
 }
 
@@ -84,8 +89,8 @@ wend::Expected<wend::MapPose, std::string> RobotPose::in(const std::string& fram
   }
   if (initial) return in(frame_id, *initial);
   if (parameter_) return *parameter_;
-  return wrong("robot pose unknown: no transform from '" + frame_id + "' to '" + robot_frame_ +
-               "', no /initialpose, no parameters ~startx and ~starty");
+  return wrong("robot pose unknown: no transform from " + wend::quote(frame_id) + " to " +
+               wend::quote(robot_frame_) + ", no /initialpose, no parameters ~startx and ~starty");
 }
 
 }  // namespace wend_ros

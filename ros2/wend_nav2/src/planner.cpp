@@ -26,6 +26,7 @@
 #include "nav2_types.hpp"
 #include "plugin_parameters.hpp"
 #include "pose_messages.hpp"
+#include "wend/io/text.hpp"
 #include "wend_nav2/path_planner.hpp"
 
 namespace wend_nav2 {
@@ -153,8 +154,8 @@ class Planner final : public nav2_core::GlobalPlanner {
   void check_frame(const Pose& pose, const std::string& frame) const {
     const std::string& given = pose.header.frame_id;
     if (given.empty() || given == frame) return;
-    throw nav2_core::PlannerTFError("a pose in the frame '" + given + "', '" + frame +
-                                    "' expected");
+    throw nav2_core::PlannerTFError("a pose in the frame " + wend::quote(given) + ", " +
+                                    wend::quote(frame) + " expected");
   }
 
   static wend::MapPose checked(const std::string& name, const Pose& stop, Tilt tilt) {

@@ -16,6 +16,7 @@
 #include "wend/path/path.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend_ros/given_path.hpp"
 #include "wend_ros/pose_message.hpp"
 
 namespace wend_ros {
@@ -42,16 +43,9 @@ nav_msgs::Path starting_at(ros::Time start, nav_msgs::Path trajectory);
 /// The path with a turn in place at its end, to a heading in the message's frame. An empty one stays empty.
 nav_msgs::Path ending_with(double heading, nav_msgs::Path path);
 
-/// The trajectory of a message from here or elsewhere, poses with time stamps; it starts with the first
-/// stamp. Fails as wend::Trajectory::through() does, for a pose that pose_from() refuses, and for one in another
-/// frame than the message.
+/// What given_path.hpp says of the same path.
 wend::Expected<wend::Trajectory, wend::Error> trajectory_from(const nav_msgs::Path& message);
-
-/// The route of a message whose headings count, such as a trajectory's. Fails for poses as trajectory_from() does.
 wend::Expected<wend::Route, wend::Error> route_through(const nav_msgs::Path& message);
-
-/// The route of a message from here or elsewhere: wend::given_route() says whether its headings count. If no
-/// orientation is set, all being zeros, it has no headings. Fails for poses as trajectory_from() does, and without any.
 wend::Expected<wend::Route, wend::Error> route_from(const nav_msgs::Path& message);
 
 geometry_msgs::PoseArray poses_of(const nav_msgs::Path& path);

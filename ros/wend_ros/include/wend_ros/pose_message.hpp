@@ -10,11 +10,15 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/geometry/map_pose.hpp"
+#include "wend_ros/given_path.hpp"
 #include "wend_ros/orientation.hpp"
 
 namespace wend_ros {
 
 geometry_msgs::Pose to_message(const wend::MapPose& pose);
+
+/// What a message says.
+GivenPose given_pose(const geometry_msgs::Pose& message);
 
 Orientation orientation_of(const geometry_msgs::Quaternion& turn);
 
