@@ -210,12 +210,12 @@ TEST_F(Queries, EveryRowHasAnAnswerInItsPlace) {
 }
 
 TEST_F(Queries, SayHowFarTheEndsMovedAsPlanDoes) {
-  ASSERT_EQ(bash("$WEND generate office --size 100x60 --seed 7 -o office.yaml").code, 0);
-  folder_.write("office.csv", "start;goal\n1,1;8.97,4.93\n1.05,1.05;1.15,1.25\n1,1;0,0\n");
+  ASSERT_EQ(bash("$WEND generate office --size 160x100 --seed 7 -o office.yaml").code, 0);
+  folder_.write("office.csv", "start;goal\n1,1;15,9\n1.05,1.05;1.15,1.25\n1,1;0,0\n");
   const Outcome outcome =
       bash("$WEND plan office.yaml --queries office.csv -o office_answers.csv -o - --format json");
   const json rows = json::parse(outcome.out).at("answers");
-  const std::vector<std::string> ends{"--start 1,1 --goal 8.97,4.93",
+  const std::vector<std::string> ends{"--start 1,1 --goal 15,9",
                                       "--start 1.05,1.05 --goal 1.15,1.25"};
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const json plan = json::parse(bash("$WEND plan office.yaml --format json " + ends[i]).out);
