@@ -36,20 +36,24 @@ constexpr const char* kMainExamples = R"(Examples:
 
 `wend SUBCOMMAND --help` describes each subcommand.)";
 
-std::vector<Command> add_commands(CLI::App& app) {
+std::vector<Command> add_commands(CLI::App& app, const std::vector<std::string>& plugins) {
   app.set_version_flag("--version", "wend " WEND_VERSION, "Print the version and exit");
-  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.set_help_flag("-h,--help", "Print what most people need and exit");
+  app.set_help_all_flag("--help-all", "Print the help of every option and exit");
   app.formatter(std::make_shared<HelpFormatter>());
   app.get_formatter()->column_width(kNameColumn);
   app.require_subcommand(1);
   app.footer(kMainExamples);
   Parser parser(app);
   add_plugin_option(parser);
-  std::vector<Command> commands{
-      add_plan(parser),  add_smooth(parser), add_follow(parser),   add_explore(parser),
-      add_check(parser), add_field(parser),  add_compare(parser),  add_explain(parser),
-      add_view(parser),  add_info(parser),   add_generate(parser), add_convert(parser),
-      add_index(parser), add_bench(parser),  add_planners(parser), add_test_planner(parser)};
+  std::vector<Command> commands{add_plan(parser),     add_smooth(parser),
+                                add_follow(parser),   add_explore(parser),
+                                add_check(parser),    add_field(parser),
+                                add_compare(parser),  add_explain(parser),
+                                add_view(parser),     add_info(parser),
+                                add_generate(parser), add_convert(parser),
+                                add_index(parser),    add_bench(parser),
+                                add_planners(parser), add_test_planner(parser, plugins)};
   commands.push_back(add_completion(parser));
   commands.push_back(add_reference(parser));
   return commands;
@@ -70,19 +74,30 @@ int run(const Command& command) {
   }
 }
 
+/// Prints help or the version.
+int show(const CLI::App& app, const CLI::ParseError& what) {
+  try {
+    return app.exit(what);
+  } catch (const InputError& error) {  // help of a planner that does not exist
+    complain(error.what());
+    return bad_input;
+  }
+}
+
 int run_app(int argc, char** argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
-  if (const std::string wrong = load_plugins(arguments); !wrong.empty()) {
+  std::vector<std::string> plugins;
+  if (const std::string wrong = load_plugins(arguments, plugins); !wrong.empty()) {
     complain(wrong);
     return bad_input;
   }
   CLI::App app("wend plans paths for robots on maps.", "wend");
-  const std::vector<Command> commands = add_commands(app);
+  const std::vector<Command> commands = add_commands(app, plugins);
   try {
     std::ranges::reverse(arguments);  // CLI11 takes the last word first
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // help, version
+    if (error.get_exit_code() == EXIT_SUCCESS) return show(app, error);  // help, version
     complain(usage_error(app, error));
     return bad_input;
   }

@@ -178,6 +178,13 @@ GridMap mirrored(const GridMap& map) {
   return *make_grid_map(states, map.frame(), terrain);
 }
 
+/// An order of the page, such as "up first", is another one in the grid when y points the other way.
+void use_no_order_of_the_page(OptionValues& options) {
+  std::erase_if(options, [](const auto& option) {
+    return option.first == "neighbour_order" || option.first == "ties";
+  });
+}
+
 }  // namespace
 
 void examine_cell_answers(Examination& examination, std::uint64_t seed) {
@@ -257,7 +264,8 @@ void examine_mirrored(Examination& examination, std::uint64_t seed) {
 }
 
 void examine_y_up(Examination& examination, std::uint64_t seed) {
-  const Trial trial = examination.random_trial(seed);
+  Trial trial = examination.random_trial(seed);
+  use_no_order_of_the_page(trial.options);
   examination.on(trial, seed);
   Frame frame = trial.map.frame();
   frame.y_up = !frame.y_up;

@@ -1,8 +1,12 @@
 #include "conformance/suite.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <exception>
 
 #include "conformance/checks.hpp"
+#include "wend/base/parse.hpp"
 
 namespace wend::test {
 namespace {
@@ -24,6 +28,18 @@ std::string anytime_on_cells(const PlannerInfo& info) {
 
 std::string plans_only_on_flat_maps(const PlannerInfo& info) {
   return info.capabilities.terrain ? "it plans on terrain" : "";
+}
+
+std::uint64_t first_seed(const ConformanceCheck& check, const SuiteOptions& options) {
+  return check.one_in == 0 ? 0 : options.seed;
+}
+
+void examine(const ConformanceCheck& check, Examination& examination, std::uint64_t seed) {
+  try {
+    check.examine(examination, seed);
+  } catch (const std::exception& error) {
+    examination.violate("an answer", fmt::format("an exception: {}", error.what()));
+  }
 }
 
 std::vector<ConformanceCheck> make_checks() {
@@ -76,6 +92,23 @@ std::uint64_t maps_of(const ConformanceCheck& check, const SuiteOptions& options
   return (options.maps + check.one_in - 1) / check.one_in;
 }
 
+CheckReport hanging(const ConformanceCheck& check, const SuiteOptions& options,
+                    std::uint64_t maps_done, double seconds) {
+  CheckReport report;
+  report.check = check.name;
+  report.guarantee = check.guarantee;
+  report.maps = maps_done + 1;
+  report.violations = 1;
+  const std::uint64_t seed = first_seed(check, options) + maps_done;
+  report.smallest = Violation{.expected = "an answer",
+                              .came = fmt::format("none for {} s", format_number(seconds)),
+                              .seed = seed,
+                              .options = {},
+                              .trial = fmt::format("the map of seed {}", seed),
+                              .query = {}};
+  return report;
+}
+
 CheckReport run_check(const ConformanceCheck& check, const PlannerInfo& info,
                       const SuiteOptions& options) {
   Examination examination(info, options.options);
@@ -83,10 +116,10 @@ CheckReport run_check(const ConformanceCheck& check, const PlannerInfo& info,
   bool ended = false;
   if (why_not.empty()) {
     const std::uint64_t maps = maps_of(check, options);
-    const std::uint64_t first = check.one_in == 0 ? 0 : options.seed;
+    const std::uint64_t first = first_seed(check, options);
     for (std::uint64_t i = 0; i < maps && !ended; ++i) {
       ended = options.go_on && !options.go_on(i);
-      if (!ended) check.examine(examination, first + i);
+      if (!ended) examine(check, examination, first + i);
     }
     if (check.conclude && !ended) check.conclude(examination);
   }

@@ -49,7 +49,12 @@ const ConformanceCheck* find_check(const std::string& name);
 /// How many maps the check runs on with these options.
 std::uint64_t maps_of(const ConformanceCheck& check, const SuiteOptions& options);
 
-/// Runs a check on all its maps, also after a violation: the report shows the smallest one.
+/// The report of a check that was ended because the planner gave no answer for so long on a map, when it had done others.
+CheckReport hanging(const ConformanceCheck& check, const SuiteOptions& options,
+                    std::uint64_t maps_done, double seconds);
+
+/// Runs a check on all its maps, also after a violation: the report shows the smallest one. A planner that throws
+/// violates it.
 CheckReport run_check(const ConformanceCheck& check, const PlannerInfo& info,
                       const SuiteOptions& options);
 

@@ -20,17 +20,13 @@ std::string indented(std::string_view text) {
   return lines;
 }
 
-/// The command that runs this trial alone.
-std::string command_of(const Violation& violation, const std::string& planner) {
-  return fmt::format("wend test-planner {} --seed {} --maps 1", planner, violation.seed);
-}
-
-std::string violation_text(const Violation& violation, const std::string& planner) {
+/// `command` tests this planner.
+std::string violation_text(const Violation& violation, const std::string& command) {
   std::string text =
       fmt::format("    expected: {}\n    came:     {}\n", violation.expected, violation.came);
   if (!violation.query.empty()) text += fmt::format("    query:    {}\n", violation.query);
   if (violation.trial.empty()) return text;
-  return text + fmt::format("    again:    {}\n", command_of(violation, planner)) +
+  return text + fmt::format("    again:    {} --seed {} --maps 1\n", command, violation.seed) +
          indented(violation.trial);
 }
 
@@ -59,7 +55,7 @@ Json check_json(const CheckReport& check) {
 
 bool SuiteReport::passed() const { return std::ranges::all_of(checks, &CheckReport::passed); }
 
-std::string check_text(const CheckReport& check, const std::string& planner) {
+std::string check_text(const CheckReport& check, const std::string& command) {
   const std::string head = fmt::format("{:<14}  {}\n{:16}", check.check, check.guarantee, "");
   if (!check.not_applicable.empty()) {
     return head + fmt::format("not applicable: {}\n", check.not_applicable);
@@ -68,7 +64,7 @@ std::string check_text(const CheckReport& check, const std::string& planner) {
   if (check.passed()) return head + fmt::format("passed ({})\n", work);
   std::string text = head + fmt::format("FAILED ({}): violations: {}, on the smallest map:\n", work,
                                         check.violations);
-  if (check.smallest) text += violation_text(*check.smallest, planner);
+  if (check.smallest) text += violation_text(*check.smallest, command);
   return text;
 }
 

@@ -17,8 +17,9 @@ struct SuiteReport {
   bool passed() const;
 };
 
-/// The line of a check, and the violation below it if there is one.
-std::string check_text(const CheckReport& check, const std::string& planner);
+/// The line of a check, and the violation below it if there is one. `command` tests this planner: "wend test-planner
+/// astar".
+std::string check_text(const CheckReport& check, const std::string& command);
 
 /// "astar keeps to its guarantee: 9 checks passed", or which checks failed.
 std::string summary_text(const SuiteReport& report);

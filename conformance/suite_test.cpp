@@ -366,7 +366,7 @@ TEST(SuiteReport, ShowsAFailedCheckInTextAndJson) {
   const PlannerInfo info =
       faulty_info("dijkstra", "dijkstra", changing([](Plan& plan) { plan.cost += 1; }));
   const SuiteReport report{"swirl", "optimal", reports_of(info, 12)};
-  const std::string text = check_text(report.checks.front(), "swirl");
+  const std::string text = check_text(report.checks.front(), "wend test-planner swirl");
   EXPECT_THAT(text, HasSubstr("FAILED (12 maps, 48 queries)"));
   EXPECT_THAT(text, HasSubstr("expected: cost "));
   EXPECT_THAT(text, HasSubstr("again:    wend test-planner swirl --seed "));

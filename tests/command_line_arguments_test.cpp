@@ -146,7 +146,7 @@ TEST_F(Arguments, HaveFormerNamesThatDoTheSame) {
     const Outcome wrong = in_folder(named.command + name + " nonsense");
     EXPECT_EQ(wrong.code, 2);
     EXPECT_THAT(wrong.err, AnyOf(HasSubstr(name + ":"), HasSubstr("'" + name.substr(2) + "'")));
-    EXPECT_THAT(in_folder(named.command.substr(0, named.command.find(' ')) + " --help").out,
+    EXPECT_THAT(in_folder(named.command.substr(0, named.command.find(' ')) + " --help-all").out,
                 Not(HasSubstr(name + " ")));
     EXPECT_THAT(in_folder("completion bash").out, Not(HasSubstr(name + " ")));
     const Outcome both = in_folder(named.command + named.option + " " + named.former);
@@ -247,7 +247,7 @@ TEST_F(Arguments, ThatChangeSomethingAreTaken) {
 }
 
 TEST_F(Arguments, InHelpAreShownAsTheyAreTyped) {
-  const std::string help = wend({"smooth", "--help"}).out;
+  const std::string help = wend({"smooth", "--help-all"}).out;
   EXPECT_THAT(help, HasSubstr("\n  --in-place, --no-in-place"));
   EXPECT_THAT(help, HasSubstr("\n  --simplify[=collinear|sight|TOLERANCE]"));
   EXPECT_THAT(help, HasSubstr("\n  -o, --output FILE"));

@@ -43,16 +43,43 @@ class CompareCommand : public testing::Test {
   std::string map_ = folder_.write("grid.txt", kComparedGrid);
 };
 
-TEST_F(CompareCommand, RunsAllPlannersOnTheSameQuery) {
+std::vector<std::string> names_of(const json& rows) {
+  std::vector<std::string> names;
+  for (const json& row : rows) names.push_back(row.at("planner"));
+  return names;
+}
+
+TEST_F(CompareCommand, RunsSixPlannersThatDifferOnTheSameQuery) {
   const Outcome outcome = compare({"--start", "0,0", "--goal", "4,5"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, IsEmpty());
-  // The map has terrain: who refuses it is left out, and so is who needs an index.
-  for (const std::string& name : planner_names("cells")) {
-    const bool taken = terrain_in_words(*planners().find(name)) != "refused";
-    EXPECT_EQ(outcome.out.find(name) != std::string::npos, taken) << name;
-  }
   EXPECT_THAT(outcome.out, HasSubstr("* best"));
+  // The map has terrain: who refuses it is left out, and others stand in.
+  const auto names = names_of(rows({"--start", "0,0", "--goal", "4,5"}));
+  EXPECT_EQ(names.size(), 6U);
+  for (const std::string& name : names) {
+    EXPECT_NE(terrain_in_words(*planners().find(name)), "refused") << name;
+  }
+  map_ = folder_.write("flat.txt", ".....\n.##..\n.....\n");
+  EXPECT_EQ(names_of(rows({"--start", "0,0", "--goal", "4,2"})),
+            (std::vector<std::string>{"bfs", "dijkstra", "greedy", "astar", "jps", "any_angle"}));
+}
+
+/// One table for the paths and one for the searches, each with all its columns.
+TEST_F(CompareCommand, ByDefaultHasTablesThatFitAndACaptionThatIsWhole) {
+  const std::string office = folder_ / "office.yaml";
+  ASSERT_EQ(wend({"generate", "office", "--size", "160x100", "--seed", "7", "-o", office}).code, 0);
+  const std::string picture = folder_ / "compare.svg";
+  const Outcome outcome =
+      wend({"compare", office, "--start", "1,1", "--goal", "15,9", "-o", picture});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  std::istringstream lines(outcome.out);
+  int tables = 0;
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 80U) << line;
+    if (line.starts_with("planner ")) ++tables;
+  }
+  EXPECT_EQ(tables, 2);
 }
 
 TEST_F(CompareCommand, AgreesWithPlan) {

@@ -139,6 +139,24 @@ TEST_F(Streams, ErrorsNameStandardInput) {
   EXPECT_EQ(bash("$WEND info . ").code, 2);
 }
 
+/// Names of files reach a terminal without what could move its cursor.
+TEST_F(Streams, NamesOnStandardOutputAreVisible) {
+  const std::string evil = "$'\\e]0;title\\a'";
+  for (const std::string& command :
+       {"$WEND generate maze --size 9x9 -o " + evil + ".txt", "$WEND info " + evil + ".txt",
+        "$WEND convert " + evil + ".txt " + evil + ".map",
+        "$WEND generate scenario " + evil + ".map --buckets 2 -o a.map.scen",
+        "$WEND generate scenario " + evil + ".map --buckets 2 -o " + evil + ".map.scen",
+        "$WEND bench " + evil + ".map.scen", "$WEND view " + evil + ".txt",
+        "$WEND index build " + evil + ".map -o " + evil + ".idx",
+        "$WEND index info " + evil + ".idx"}) {
+    const Outcome outcome = bash(command);
+    EXPECT_EQ(outcome.code, 0) << command << outcome.err;
+    EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("\x1b]"))) << command;
+    EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("\x07"))) << command;
+  }
+}
+
 TEST_F(Streams, TheMapThatStandardInputCameFromIsNotWrittenOver) {
   const Outcome refused = bash("$WEND convert - grid.txt < grid.txt");
   EXPECT_EQ(refused.code, 2);
@@ -187,8 +205,29 @@ TEST_F(Queries, EveryRowHasAnAnswerInItsPlace) {
   EXPECT_EQ(rows[1].at("cost"), nullptr);
   const std::string csv = bytes_of(folder_ / "answers.csv");
   EXPECT_THAT(csv, StartsWith("line,start,goal,status,reason,cost,length_cells,length_m,expanded,"
-                              "search_us\n2,\"0,0\",\"4,3\",found,,"));
+                              "search_us,start_shift_m,goal_shift_m\n2,\"0,0\",\"4,3\",found,,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
+}
+
+TEST_F(Queries, SayHowFarTheEndsMovedAsPlanDoes) {
+  ASSERT_EQ(bash("$WEND generate office --size 160x100 --seed 7 -o office.yaml").code, 0);
+  folder_.write("office.csv", "start;goal\n1,1;15,9\n1.05,1.05;1.15,1.25\n1,1;0,0\n");
+  const Outcome outcome =
+      bash("$WEND plan office.yaml --queries office.csv -o office_answers.csv -o - --format json");
+  const json rows = json::parse(outcome.out).at("answers");
+  const std::vector<std::string> ends{"--start 1,1 --goal 15,9",
+                                      "--start 1.05,1.05 --goal 1.15,1.25"};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const json plan = json::parse(bash("$WEND plan office.yaml --format json " + ends[i]).out);
+    EXPECT_EQ(rows[i].at("start_shift"), plan.at("start_shift"));
+    EXPECT_EQ(rows[i].at("goal_shift"), plan.at("goal_shift"));
+  }
+  EXPECT_NEAR(rows[0].at("start_shift").at("m").get<double>(), 0.05 * std::sqrt(2), 1e-9);
+  EXPECT_NEAR(rows[1].at("start_shift").at("m").get<double>(), 0, 1e-9);
+  EXPECT_EQ(rows[2].at("start_shift"), nullptr);
+  const std::string csv = bytes_of(folder_ / "office_answers.csv");
+  EXPECT_THAT(csv, HasSubstr(",0.0707106781"));
+  EXPECT_THAT(csv, testing::EndsWith(",,\n"));
 }
 
 TEST_F(Queries, ThreadsChangeNothingButTheTimes) {

@@ -78,8 +78,7 @@ TEST_F(LatticeCommand, DrivesByThePrimitivesOfAFile) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err, IsEmpty());
   EXPECT_THAT(outcome.out, HasSubstr("Start (0.5,0.5,E)\n"
-                                     "Go FWD -> (1.5,0.5,E)\n"
-                                     "Go FWD -> (2.5,0.5,E)\n"
+                                     "Go 2 x FWD -> (2.5,0.5,E)\n"
                                      "Go FWD_RIGHT -> (4.5,2.5,S)\n"
                                      "Go FWD -> (4.5,3.5,S)\n"
                                      "Go TURN_RIGHT -> (4.5,3.5,W)\n"));
@@ -102,7 +101,7 @@ TEST_F(LatticeCommand, DrivesBackOnlyWhereItIsAsked) {
   std::vector<std::string> back = ends;
   back.emplace_back("--ways-back");
   EXPECT_THAT(plan(back).out,
-              AllOf(HasSubstr("Go REV -> (3.5,0.5,E)\n"),
+              AllOf(HasSubstr("Go 2 x REV -> (2.5,0.5,E)\n"),
                     HasSubstr("steps     2: 0 turns, 2 in reverse"), HasSubstr("cost      4\n")));
 }
 

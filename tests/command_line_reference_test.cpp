@@ -38,7 +38,7 @@ std::string flowing(const std::string& text) {
 std::string help_of(const json& command) {
   std::vector<std::string> arguments = words_of(command["name"]);
   arguments.erase(arguments.begin());  // the program
-  arguments.emplace_back("--help");
+  arguments.emplace_back("--help-all");
   return wend(arguments).out;
 }
 

@@ -49,6 +49,18 @@ TEST_F(SmoothCommand, ShowsThePathBeforeAndAfter) {
                     HasSubstr("smoother  gradient\n"), HasSubstr("held      ")));
 }
 
+/// Of a path that is not free, the written file says why: that must not replace the path.
+TEST_F(SmoothCommand, NeverWritesOverItsOwnPath) {
+  const std::string before = bytes_of(plan_);
+  for (const std::string output : {plan_, (folder_ / "./plan.csv").string()}) {
+    const Outcome refused = smooth({"-o", output});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("this file is also an input and would be overwritten"));
+    EXPECT_THAT(refused.out, IsEmpty());
+  }
+  EXPECT_EQ(bytes_of(plan_), before);
+}
+
 TEST_F(SmoothCommand, SaysHowCornersAreRounded) {
   EXPECT_THAT(smooth().out, AllOf(HasSubstr("smallest turning radius, cells     0.00      0.00\n"),
                                   HasSubstr("  corners rounded by 0.1 cells   ")));

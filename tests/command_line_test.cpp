@@ -108,8 +108,10 @@ TEST(Output, ResultsThatAreLostAreAnError) {
   EXPECT_THAT(outcome.err, HasSubstr("cannot write the results"));
 }
 
-TEST(Planners, AreListedForPeople) {
-  const Outcome listing = wend({"planners"});
+TEST(Planners, AreDescribedForPeople) {
+  std::vector<std::string> words = planners().names();
+  words.insert(words.begin(), "planners");
+  const Outcome listing = wend(words);
   EXPECT_EQ(listing.code, 0);
   for (const std::string name : {"astar", "dijkstra", "greedy", "bfs", "dfs", "random_walk"}) {
     EXPECT_THAT(listing.out, HasSubstr(name + "\n"));
@@ -149,6 +151,51 @@ TEST(Info, SaysWhatATextGridHolds) {
   EXPECT_THAT(info.out,
               AllOf(HasSubstr("text grid"), HasSubstr("4 x 2 cells"), HasSubstr("4 cells (50.0 %)"),
                     HasSubstr("1 to 3 times"), HasSubstr("2; the largest has 2 cells, 50.0 %")));
+}
+
+TEST(Info, CountsInGoodEnglish) {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string& rows) {
+    return wend({"info", folder.write("grid.txt", rows)}).out;
+  };
+  EXPECT_THAT(told(".#\n##\n"), AllOf(HasSubstr("free        1 cell (25.0 %)\n"),
+                                      HasSubstr("components  1, of one cell\n")));
+  EXPECT_THAT(told("."), HasSubstr("size        1 x 1 cell\n"));
+  EXPECT_THAT(told("..\n"), AllOf(HasSubstr("free        2 cells (100 %)\n"),
+                                  HasSubstr("occupied    0 cells (0 %)\n")));
+  EXPECT_THAT(told(".#.\n"), HasSubstr("2; the largest has 1 cell, 50.0 % of the free ones\n"));
+  // One cell of many is not nothing, nor are all but one all.
+  const std::string row(2000, '.');
+  EXPECT_THAT(told(row + "\n" + row.substr(2) + "#.\n"),
+              AllOf(HasSubstr("occupied    1 cell (0.1 %)\n"), HasSubstr("(99.9 %)")));
+}
+
+TEST(Generate, KeepsTheCellsThatAreAskedFor) {
+  const auto made = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"generate", "random", "--size", "20x20"});
+    return wend(std::move(more));
+  };
+  const Outcome full = made({"--density", "1", "--keep", "0,0,19,19", "--keep", "3,2"});
+  EXPECT_EQ(full.code, 0) << full.err;
+  std::istringstream rows(full.out);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(rows, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 20U);
+  EXPECT_EQ(lines[0][0], '.');
+  EXPECT_EQ(lines[19][19], '.');
+  EXPECT_EQ(lines[2][3], '.');
+  EXPECT_EQ(lines[0][1], '#');
+  EXPECT_THAT(full.err, HasSubstr("no path joins the cells (0,0) and (19,19)"));
+  EXPECT_THAT(full.err, HasSubstr("no path joins the cells (0,0) and (3,2)"));
+  const Outcome open = made({"--density", "0", "--keep", "0,0,19,19"});
+  EXPECT_EQ(open.code, 0);
+  EXPECT_THAT(open.err, IsEmpty());
+  for (const std::string wrong : {"20,0", "-1,0", "1", "1,2,3", "a,b", "1,2,", ""}) {
+    const Outcome refused = made({"--keep=" + wrong});
+    EXPECT_EQ(refused.code, 2) << wrong;
+    EXPECT_THAT(refused.err, HasSubstr("--keep")) << wrong;
+    EXPECT_THAT(refused.out, IsEmpty());
+  }
 }
 
 TEST(Info, HasTheSameForPrograms) {
@@ -362,6 +409,7 @@ class Examples : public testing::Test {
     std::string grid;
     for (int y = 0; y < 50; ++y) arena += std::string(50, '.') + "\n";
     for (int y = 0; y < 10; ++y) grid += std::string(10, '.') + "\n";
+    folder_.write("course.txt", "..#...\n......\n..#.#.\n..#.#.\n..#.#.\n");
     folder_.write("arena.map", arena);
     folder_.write("den520d.map", arena);
     folder_.write("grid.txt", grid);
@@ -384,7 +432,7 @@ TEST_F(Examples, OfTheHelpWork) {
   expect_to_work("generate office --size 160x100 --seed 7 -o office.yaml");
   for (const std::string name :
        {"info", "plan", "explain", "field", "bench", "planners", "generate", "convert"}) {
-    const auto commands = commands_in(wend({name, "--help"}).out, "  ");
+    const auto commands = commands_in(wend({name, "--help-all"}).out, "  ");
     EXPECT_GE(commands.size(), 2U) << name;
     for (const std::string& command : commands) expect_to_work(command);
   }

@@ -32,6 +32,7 @@
 #include "wend/sight/taut_graph.hpp"
 #include "wend/sight/taut_map.hpp"
 #include "wend/space/grid/grid_space.hpp"
+#include "wend/space/grid/search_order.hpp"
 #include "wend/space/grid/sight_grid.hpp"
 #include "wend/space/lattice/motion_steps.hpp"
 
@@ -48,6 +49,11 @@ const wend::FreeSpace& walled_ground() {
     return *wend::make_grid_map(cells);
   }());
   return space;
+}
+
+TEST(SearchSnippets, SearchOrder) {
+  const wend::SearchOrder order{wend::NeighbourOrder::uldr, wend::Ties::sorted};
+  EXPECT_TRUE(order.chosen());
 }
 
 TEST(SearchSnippets, OfForwardSearchAndLimitCheck) {

@@ -129,11 +129,12 @@ void ComparisonRun::describe(const Path& path, const FreeSpace& space, Compariso
   row.reversals = static_cast<std::uint64_t>(metrics.reversals);
 }
 
-/// Repeats a search as far as it went: a search that the clock stopped may go no further.
+/// Repeats a search; one that was stopped, as far as it went. (A planner that keeps what it prepared may expand other
+/// cells than the first time.)
 Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver* observer) const {
   const ComparisonRow& row = comparison_.queries[query].rows[planner];
   Query same{row.eased.start, row.eased.goals};
-  same.limits.expansions = row.expanded;
+  if (!row.found()) same.limits.expansions = row.expanded;
   same.observer = observer;
   Plan plan;
   if (Planner* const made = planners_[planner].planner()) made->plan(same, plan);

@@ -45,6 +45,29 @@ TEST(RandomPairs, AreConnectedDifferentAndFree) {
   EXPECT_GT(maps_with_pairs, 100);
 }
 
+/// A planner that keeps what it prepared goes another way when it is asked again: its path is there all the same.
+TEST(ComparisonRun, HasThePathOfEveryQueryThatWasAnswered) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    const FreeSpace space = *make_free_space(*make_grid_map(
+        test::random_states(random, random.between(20, 40), random.between(20, 60))));
+    ComparisonRun run = run_of(space, "jps,astar,any_angle,replanner,d_star_lite,alt");
+    for (const CellPair& cells : random_pairs(space, 3, seed)) {
+      run.answer(Query::between(cells.start, cells.goal));
+    }
+    for (std::size_t query = 0; query < run.comparison().queries.size(); ++query) {
+      const auto& rows = run.comparison().queries[query].rows;
+      for (std::size_t planner = 0; planner < rows.size(); ++planner) {
+        if (!rows[planner].found()) continue;
+        ++found;
+        EXPECT_FALSE(run.path(planner, query).empty()) << rows[planner].planner << " seed " << seed;
+      }
+    }
+  }
+  EXPECT_GT(found, 200);
+}
+
 TEST(RandomPairs, ReachAllCellsAndComeAgainWithTheSameSeed) {
   const FreeSpace space = test::drawn_space("..#..\n..#.#\n");
   std::set<Cell> seen;

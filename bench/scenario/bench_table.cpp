@@ -7,6 +7,7 @@
 
 #include "bench/scenario/bench_rows.hpp"
 #include "wend/base/thread_time.hpp"
+#include "wend/io/text.hpp"
 #include "wend/report/text_table.hpp"
 
 namespace wend {
@@ -108,7 +109,7 @@ class BenchTable {
         std::ranges::any_of(rows_, [](const BenchRow& row) { return row.threads > 1; });
     if (threads) text += fmt::format("Threads: {}.\n", rows_.front().threads);
     if (folder_ > 0)
-      text += fmt::format("Scenarios in {}.\n", rows_.front().scen.substr(0, folder_));
+      text += fmt::format("Scenarios in {}.\n", visible(rows_.front().scen.substr(0, folder_)));
     return text + "\n";
   }
 
@@ -127,7 +128,7 @@ class BenchTable {
     const BenchRow* last = nullptr;
     for (const BenchRow& row : rows_) {
       if (last == nullptr || last->scen != row.scen) {
-        text += fmt::format("{}: {} quer{}\n", row.scen.substr(folder_), row.queries,
+        text += fmt::format("{}: {} quer{}\n", visible(row.scen.substr(folder_)), row.queries,
                             row.queries == 1 ? "y" : "ies");
       }
       if (is_long(row)) text += kIndent + row.planner + "\n";

@@ -104,9 +104,8 @@ void DriveArguments::add_to(Parser& app) {
   simulation_.collect("", simulation);
   following_.collect("", option_schema<FollowerOptions>());
   robot_.collect("", option_schema<MotionModel>());
-  for (OptionFlags* flags : {&simulation_, &robot_, &following_, &controller_options_}) {
-    flags->add_to(app);
-  }
+  for (OptionFlags* flags : {&simulation_, &robot_, &following_}) flags->add_to(app);
+  controller_options_.add_to(app, "--controller");
 }
 
 SimulationOptions DriveArguments::simulation(bool loop) const {

@@ -21,12 +21,14 @@ void LeewayArguments::add_ends_to(Parser& app) {
                wrapped("If no path leads to a goal (it is walled in, blocked or outside the map), "
                        "end at the reachable place that is nearest to it, and say what distance "
                        "remains"));
+  app.further({"--nearest-limit", "--closest"});
 }
 
 void LeewayArguments::add_escape_to(Parser& app) {
   add_number(app, "--escape", escape, kLengths,
              "If the robot does not fit at the start, begin with the shortest way out, at most "
              "this long, along which it never overlaps more of what blocks it (default 0: off)");
+  app.further({"--escape"});
 }
 
 void LeewayArguments::check(const Parser& command) const {

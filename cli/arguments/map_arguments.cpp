@@ -68,6 +68,7 @@ void MapFileArguments::add_to(Parser& app, const std::string& name) {
                  "speed:base=B:multiplier=M:FILE reads v as B + M v, and top_speed=T: as m/s"))
       .one_at_a_time()
       .type_name(kFileType);
+  app.further({"--resolution", "--mask"});
 }
 
 LoadedMap MapFileArguments::load() const {
@@ -97,9 +98,10 @@ void RobotArguments::add_robot_to(Parser& app) {
     footprint = Footprint::disc(radius);
   };
   const Argument radius =
-      app.add_option("--robot-radius", assign_radius,
-                     wrapped("Radius of the robot, a disc: in metres on maps with a resolution, in "
-                             "cells on others and with --cells (default 0, a point)"))
+      app.add_option(
+             "--robot-radius", assign_radius,
+             wrapped("Radius of the robot, in metres, or cells on maps without a resolution "
+                     "and with --cells (default 0, a point)"))
           .type_name("NUMBER");
   const auto assign_footprint = [this](const std::string& text) {
     auto parsed = parse_footprint(text);
@@ -124,6 +126,7 @@ void RobotArguments::add_robot_to(Parser& app) {
       "Outside of the map: with free the robot's disc may extend beyond the map's edge (default "
       "blocked for maps in metres, free for maps in cells)");
   app.add_flag("--cells", cells, wrapped("Use cells as the unit of length on maps in metres"));
+  app.further({"--unknown", "--outside", "--cells"});
 }
 
 void RobotArguments::add_clearance_cost_to(Parser& app) {
@@ -138,6 +141,7 @@ void RobotArguments::add_clearance_cost_to(Parser& app) {
       "cell's cost; it falls to 0 at --clearance-distance (default " +
           format_number(FreeSpaceOptions{}.clearance_cost) + ")");
   add_number(app, "--keep-away-cost", clearance_cost, kCosts, "").former_name_of(cost);
+  app.further({"--clearance-cost"});
 }
 
 void RobotArguments::add_primitives_to(Parser& app) {
@@ -148,6 +152,7 @@ void RobotArguments::add_primitives_to(Parser& app) {
                  "straight in 16 directions and turns in place, or on arcs of its "
                  "--turning-radius"))
       .type_name(kFileType);
+  app.further({"--primitives"});
 }
 
 FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
@@ -175,6 +180,7 @@ void MapArguments::add_to(Parser& app) {
   add_number(app, "--limit-memory", limit_memory, kMegabytes,
              "Limit on memory in megabytes; a map that needs more is rejected (default: the memory "
              "available on the system)");
+  app.further({"--limit-memory"});
 }
 
 LoadedMap MapArguments::load_map() const {

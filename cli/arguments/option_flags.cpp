@@ -12,9 +12,12 @@
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/base/registry.hpp"
 
 namespace wend::cli {
 namespace {
+
+constexpr std::size_t kMostOfALine = 45;
 
 std::string dashed(std::string name) {
   std::replace(name.begin(), name.end(), '_', '-');
@@ -38,7 +41,8 @@ bool is_numeric(const OptionInfo& option) {
   return option.kind == OptionKind::integer || option.kind == OptionKind::number;
 }
 
-/// What the flag takes: "none|one|both", "N", "NUMBER"; its name if owners differ in choices.
+/// What the flag takes: "none|one|both", "N", "NUMBER"; its name if owners differ in choices or these are too many for a
+/// line.
 std::string type_of(const std::vector<OptionInfo>& options) {
   const OptionInfo& first = options.front();
   const auto all_are = [&options](auto&& property) {
@@ -49,7 +53,8 @@ std::string type_of(const std::vector<OptionInfo>& options) {
   }
   if (all_are([](const OptionInfo& own) { return own.kind == OptionKind::integer; })) return "N";
   if (all_are(is_numeric)) return "NUMBER";
-  return fmt::format("{}", fmt::join(first.choices, "|"));
+  const std::string choices = fmt::format("{}", fmt::join(first.choices, "|"));
+  return choices.size() > kMostOfALine ? upper_case(first.name) : choices;
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -107,8 +112,8 @@ std::string help_of(const OptionInfo& option, bool with_choices) {
 }
 
 /// The first owner's help, then that of owners whose help differs, once for those that share it.
-std::string help_of(const std::vector<std::string>& owners,
-                    const std::vector<OptionInfo>& options) {
+std::string shared_help(const std::vector<std::string>& owners,
+                        const std::vector<OptionInfo>& options) {
   const bool with_choices = type_of(options) == upper_case(options.front().name);
   const std::string first = help_of(options.front(), with_choices);
   std::string text = first;
@@ -126,9 +131,22 @@ std::string help_of(const std::vector<std::string>& owners,
   return wrapped(fmt::format("{} ({})", text, defaults_of(owners, options)));
 }
 
+/// "--corner-rule none|one|both" of one owner, and what it does.
+std::pair<std::string, std::string> help_line(const OptionInfo& option) {
+  const std::string flag = "--" + dashed(option.name);
+  const std::string default_text = fmt::format(" (default {})", option.default_value);
+  if (option.kind == OptionKind::flag) {
+    return {flag + ", --no-" + dashed(option.name), wrapped(option.help + default_text)};
+  }
+  const std::string type = type_of({option});
+  const bool with_choices = type == upper_case(option.name);
+  return {flag + " " + type, wrapped(help_of(option, with_choices) + default_text)};
+}
+
 }  // namespace
 
 void OptionFlags::collect(const std::string& owner, const std::vector<OptionInfo>& options) {
+  owners_.push_back(owner);
   for (const OptionInfo& option : options) {
     auto flag = std::ranges::find(flags_, option.name, &Flag::name);
     if (flag == flags_.end()) flag = flags_.insert(flag, {option.name, option.former, {}, {}});
@@ -137,13 +155,40 @@ void OptionFlags::collect(const std::string& owner, const std::vector<OptionInfo
   }
 }
 
-void OptionFlags::add_to(Parser& app) {
+void OptionFlags::mention(const std::string& owner, const std::vector<OptionInfo>& options) {
+  for (const OptionInfo& option : options) mentioned_.emplace_back(owner, option);
+}
+
+void OptionFlags::add_to(Parser& app, const std::string& choice) {
   for (const Flag& flag : flags_) add_flag(app, flag);
+  if (choice.empty()) return;
+  app.add_choice_help(choice, [this](const std::string& text) { return help_of(text); });
+}
+
+HelpOfChoice OptionFlags::help_of(const std::string& choice) const {
+  const std::string owner = choice.substr(0, choice.find_first_of(":,"));
+  if (std::ranges::find(owners_, owner) == owners_.end()) {
+    throw InputError(unknown_name(kind_, owner, owners_));
+  }
+  HelpOfChoice help;
+  const auto add = [&](const OptionInfo& option) { help.options.push_back(help_line(option)); };
+  for (const Flag& flag : flags_) {
+    const auto own = std::ranges::find(flag.owners, owner);
+    if (own != flag.owners.end()) {
+      add(flag.options[static_cast<std::size_t>(own - flag.owners.begin())]);
+    }
+  }
+  for (const auto& [whose, option] : mentioned_) {
+    if (whose == owner) add(option);
+  }
+  help.title = help.options.empty() ? fmt::format("The {} {} has no options.", kind_, owner)
+                                    : fmt::format("Options of the {} {}:", kind_, owner);
+  return help;
 }
 
 void OptionFlags::add_flag(Parser& app, const Flag& flag) {
   const std::string name = flag.name;
-  const std::string help = help_of(flag.owners, flag.options);
+  const std::string help = shared_help(flag.owners, flag.options);
   if (flag.options.front().kind == OptionKind::flag) {
     const auto give = [this, name](std::int64_t count) {
       given_.emplace_back(name, option_text::format(count > 0));

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/arguments/parser.hpp"
@@ -26,8 +27,12 @@ class OptionFlags {
   /// Collects the options of one owner; the name is empty if it is the only one.
   void collect(const std::string& owner, const std::vector<OptionInfo>& options);
 
-  /// Adds a flag for every option collected.
-  void add_to(Parser& app);
+  /// Options of an owner for which the command has flags of its own: only help_of() names them.
+  void mention(const std::string& owner, const std::vector<OptionInfo>& options);
+
+  /// Adds a flag for every option collected. With `choice`, the flag that names the owner ("--planner"), its --help
+  /// has the options of that owner alone.
+  void add_to(Parser& app, const std::string& choice = {});
 
   /// The options given, by their names. Throws InputError for one that the owner does not have and for
   /// a number that is out of its range.
@@ -45,11 +50,14 @@ class OptionFlags {
   };
 
   void add_flag(Parser& app, const Flag& flag);
+  HelpOfChoice help_of(const std::string& choice) const;
   std::string group() const;
   const Flag* find(const std::string& name) const;
 
   std::string kind_;
   std::vector<Flag> flags_;
+  std::vector<std::string> owners_;
+  std::vector<std::pair<std::string, OptionInfo>> mentioned_;  // whose
   OptionValues given_;
 };
 

@@ -2,6 +2,9 @@
 
 #include <CLI/App.hpp>
 #include <CLI/Error.hpp>
+#include <memory>
+
+#include "cli/arguments/help_formatter.hpp"
 
 namespace wend::cli {
 
@@ -77,6 +80,18 @@ Argument Parser::add_flag(const std::string& flags, bool& value, const std::stri
 Argument Parser::add_flag(const std::string& flags, const AssignCount& assign,
                           const std::string& help) {
   return Argument(*app_->add_flag_function(flags, assign, help));
+}
+
+void Parser::further(const std::vector<std::string>& flags) {
+  for (const std::string& flag : flags) {
+    if (CLI::Option* option = app_->get_option_no_throw(flag)) option->group(kFurtherGroup);
+  }
+}
+
+void Parser::add_choice_help(const std::string& flag, const ChoiceHelp& help) {
+  // All apps share the formatter of the program.
+  const auto formatter = std::dynamic_pointer_cast<HelpFormatter>(app_->get_formatter());
+  if (formatter) formatter->add_choice_help(*app_, flag, help);
 }
 
 void Parser::footer(const std::string& text) { app_->footer(text); }

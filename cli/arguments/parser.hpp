@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the name is CLI11's
@@ -15,6 +16,18 @@ class Option;
 }  // namespace CLI
 
 namespace wend::cli {
+
+/// The heading in help of what most people need, and of the rest that belongs to no other heading.
+inline constexpr const char* kMainGroup = "Options";
+inline constexpr const char* kFurtherGroup = "Further options";
+
+/// Help of one of the choices of a flag, as of one planner: its options with their words.
+struct HelpOfChoice {
+  std::string title;
+  std::vector<std::pair<std::string, std::string>> options;
+};
+/// Throws InputError for a choice that does not exist.
+using ChoiceHelp = std::function<HelpOfChoice(const std::string& choice)>;
 
 /// An added argument, to configure it further. A reference: copies mean the same argument.
 class Argument {
@@ -67,6 +80,12 @@ class Parser {
   Argument add_flag(const std::string& flags, bool& value, const std::string& help);
   /// `assign` gets how often the flag was given; a negated flag ("!--no-furniture") counts down.
   Argument add_flag(const std::string& flags, const AssignCount& assign, const std::string& help);
+
+  /// Few people need these flags: only --help-all shows them. Those that the command does not have are ignored.
+  void further(const std::vector<std::string>& flags);
+
+  /// With a value of this flag, --help shows the help of that choice.
+  void add_choice_help(const std::string& flag, const ChoiceHelp& help);
 
   /// What stands below the arguments in help: examples and exit codes.
   void footer(const std::string& text);

@@ -12,7 +12,7 @@ constexpr std::string_view kPluginFlag = "--plugin";
 
 }  // namespace
 
-std::string load_plugins(std::vector<std::string>& arguments) {
+std::string load_plugins(std::vector<std::string>& arguments, std::vector<std::string>& files) {
   constexpr const char* kNoFile = "--plugin: the name of a shared object is missing";
   const std::string with_value = std::string(kPluginFlag) + "=";
   std::vector<std::string> others;
@@ -31,6 +31,7 @@ std::string load_plugins(std::vector<std::string>& arguments) {
     if (file.empty()) return kNoFile;
     const auto loaded = load_planners(file);
     if (!loaded) return "--plugin " + loaded.error().message;
+    files.push_back(file);
   }
   arguments = std::move(others);
   return {};

@@ -10,8 +10,9 @@
 
 namespace wend::cli {
 
-/// Loads what `--plugin FILE` names and removes these words. The first error, or an empty text.
-std::string load_plugins(std::vector<std::string>& arguments);
+/// Loads what `--plugin FILE` names, adds these names to `files` and removes the words. The first error, or an empty
+/// text.
+std::string load_plugins(std::vector<std::string>& arguments, std::vector<std::string>& files);
 
 /// For the help.
 void add_plugin_option(Parser& app);

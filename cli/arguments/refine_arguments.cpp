@@ -75,6 +75,7 @@ void RefineArguments::add_to(Parser& app) {
       "--smoother curvature");
   add_max_distance(app, max_distance);
   app.add_flag("--unsafe", unsafe, wrapped("Smooth without a collision check"));
+  app.further({"--simplify", "--resample", "--smoother", "--max-distance", "--unsafe"});
 }
 
 void add_max_distance(Parser& app, std::optional<double>& distance) {
@@ -151,6 +152,7 @@ void add_corner_rounding(Parser& app, std::optional<double>& rounding) {
       app, "--corner-rounding", rounding, kRoundings,
       "Measure turning radii also with the path's corners rounded; limit on the distance between "
       "the rounded path and the corner (units as --robot-radius; default a tenth of a cell)");
+  app.further({"--corner-rounding"});
 }
 
 double corner_rounding_in_cells(const std::optional<double>& rounding,

@@ -29,8 +29,9 @@ void add_corner_rule(Parser& app, CornerRule& rule) {
 void LimitArguments::add_to(Parser& app) {
   add_count(app, "--limit-expansions", expansions, "Limit on the number of expansions");
   add_number(app, "--limit-time", seconds, kLimitSeconds,
-             "Limit in seconds (wall time) on making the planner, the search, the reason of a "
-             "failure, and smoothing; reading the map does not count");
+             "Limit on the time, in seconds of wall time: on making the planner, the search, the "
+             "reason of a failure, and smoothing; reading the map does not count");
+  app.further({"--limit-expansions"});
 }
 
 Limits LimitArguments::limits(ProgressBar& progress) const {

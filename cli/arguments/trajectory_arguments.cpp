@@ -45,6 +45,7 @@ void TrajectoryArguments::add_file_to(Parser& app) {
       .type_name(kFileType);
   add_number(app, "--trajectory-period", period_, kPeriods,
              "Seconds between two rows of the trajectory (default 0.05)");
+  app.further({"--trajectory-period"});
 }
 
 void TrajectoryArguments::add_limits_to(Parser& app) {
@@ -53,6 +54,7 @@ void TrajectoryArguments::add_limits_to(Parser& app) {
                          "turn_acceleration is that of turns in place; default " +
                          default_limits() + ")"))
       .type_name("NAME=VALUE,...");
+  app.further({"--velocity-limits"});
 }
 
 void TrajectoryArguments::check(const Parser& command, const OutputFiles& output) const {

@@ -290,6 +290,9 @@ int run(const Parser& bench, const BenchArguments& arguments) {
       check_not_among(files_of(input.scenarios), arguments.per_query,
                       "--per-query " + arguments.per_query);
     }
+    check_not_among(files_of(input.scenarios), arguments.plot, "--plot " + arguments.plot);
+    check_not_among(files_of(input.scenarios), arguments.database,
+                    "--database " + arguments.database);
     if (arguments.distributed && !run_distributed(arguments, input)) return success;
     BenchStore store = arguments.database.empty() ? BenchStore() : BenchStore(arguments.database);
     return report(arguments, run_scenarios(arguments, input, store));
@@ -346,6 +349,8 @@ Command add_bench(Parser& app) {
                           "time against map size, as .png, .svg or .pdf; needs gnuplot"))
       .type_name(kFileType);
   add_style(bench, arguments->style, "Colours of the plot (default light)");
+  bench.further({"--fresh", "--index", "--distributed", "--check", "--style", "--connectivity",
+                 "--corner-rule"});
   bench.footer(kBenchExamples);
   return {bench, [bench, arguments] {
             if (arguments->plot.empty()) {

@@ -3,6 +3,8 @@
 // A subcommand: its arguments, and what it does with them. One source file each.
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "cli/arguments/parser.hpp"
 
@@ -18,7 +20,10 @@ Command add_field(Parser& app);
 Command add_bench(Parser& app);
 Command add_index(Parser& app);
 Command add_planners(Parser& app);
-Command add_test_planner(Parser& app);
+
+/// `plugins` are the files that were loaded.
+Command add_test_planner(Parser& app, const std::vector<std::string>& plugins);
+
 Command add_info(Parser& app);
 Command add_generate(Parser& app);
 

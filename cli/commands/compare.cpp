@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "bench/comparison/comparison.hpp"
@@ -33,7 +35,7 @@ namespace {
 struct CompareArguments {
   MapArguments map;
   EndArguments ends;
-  std::string planners;  // empty: all
+  std::string planners;  // empty: kTeachers, or all for headings
   std::uint64_t random = 0;
   std::uint64_t seed = 1;
   LimitArguments limits;
@@ -53,22 +55,38 @@ constexpr const char* kCompareExamples = R"(Examples:
   wend compare office.yaml --random 200 --planner astar,bfs --plot plots.png
   wend compare grid.txt --start 0,0,E --goal 9,9 --planner car,car:w=2
 
-Runs all planners, or those of --planner, on one query or on N random queries.
-Car planners are compared with car planners only. The picture has a panel for
-each planner with the cells that it expanded. Plots need gnuplot. Exit codes: 0
+Runs six planners that differ most, or those of --planner, on one query or on N
+random queries. Car planners are compared with car planners only. The picture
+has a panel for each planner with the cells that it expanded. Plots need
+gnuplot. Exit codes: 0
 a path was found, 1 no path was found, 2 bad usage or input.)";
 
-/// All planners that fit the typed start, which may have a heading, and the robot, need no index and accept
-/// the map.
-std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace& space) {
+/// Planners on cells that show what there is to learn, the best teachers first; those that refuse costs are left out
+/// where cells have some.
+constexpr std::array<std::string_view, 9> kTeachers{
+    "bfs", "dijkstra", "greedy", "astar", "jps", "any_angle", "alt", "theta_star", "dfs"};
+constexpr std::size_t kMostByDefault = 6;
+
+bool refuses(const PlannerInfo& info, const FreeSpace& space) {
+  return !space.uniform_terrain() && terrain_in_words(info) == "refused";
+}
+
+/// All planners that need headings as the typed start and the robot do, or six of those on cells.
+std::vector<PlannerSpec> default_planners(const std::string& start, const FreeSpace& space) {
   std::vector<PlannerSpec> specs;
+  const auto add = [&](const PlannerInfo& info) { specs.push_back({info.name, {}, info.name}); };
   const bool primitives = space.robot().primitives.has_value();
-  const bool headings = primitives || has_heading(start);
+  if (!primitives && !has_heading(start)) {
+    for (const std::string_view name : kTeachers) {
+      const PlannerInfo& info = *planners().find(name);
+      if (specs.size() < kMostByDefault && !refuses(info, space)) add(info);
+    }
+    return specs;
+  }
   for (const PlannerInfo& info : planners()) {
     const Capabilities& can = info.capabilities;
-    if (can.headings != headings || can.primitives != primitives || info.index_support) continue;
-    if (!space.uniform_terrain() && terrain_in_words(info) == "refused") continue;
-    specs.push_back({info.name, {}, info.name});
+    const bool fits = can.headings && can.primitives == primitives && !info.index_support;
+    if (fits && !refuses(info, space)) add(info);
   }
   return specs;
 }
@@ -248,7 +266,7 @@ int run(const CompareArguments& arguments) {
     check_not_among(loaded.files, arguments.plot, "--plot " + arguments.plot);
   }
   const FreeSpace space = arguments.map.free_space(loaded.map);
-  if (specs.empty()) specs = all_planners(arguments.ends.start, space);
+  if (specs.empty()) specs = default_planners(arguments.ends.start, space);
   auto made = ComparisonRun::make(space, std::move(specs), thread_cpu_seconds);
   if (!made) throw InputError(made.error().message);
   ComparisonRun& run = *made;
@@ -280,8 +298,8 @@ Command add_compare(Parser& app) {
       .add_option(
           "--planner", arguments->planners,
           wrapped("Planners, separated by commas, each with options after a colon: "
-                  "astar:w=2,heuristic=euclidean,bfs (default: all grid planners that need no "
-                  "index and support the map; all car planners if the start has a heading)"))
+                  "astar:w=2,heuristic=euclidean,bfs (default: six grid planners that differ most; "
+                  "all planners for headings if the start has one)"))
       .type_name(kPlannerType);
   add_count(compare, "--random", arguments->random,
             "Number of random queries between connected cells");
@@ -297,6 +315,7 @@ Command add_compare(Parser& app) {
                   wrapped("Plot time and expansions against path length, and their distributions, "
                           "as .png, .svg or .pdf; needs --random and gnuplot"))
       .type_name(kFileType);
+  compare.further({"--goal-tolerance", "--seed", "--style"});
   compare.footer(kCompareExamples);
   return {compare, [compare, arguments] {
             arguments->leeway.check(compare);

@@ -260,7 +260,7 @@ Command add_explain(Parser& app) {
   arguments->options.collect("explain", option_schema<GridMoves>());
   arguments->options.add_to(explain);
   arguments->drive_options.collect(std::string(HybridAStarOptions::kPlanner), drive_options());
-  arguments->drive_options.add_to(explain);
+  arguments->drive_options.add_to(explain, "--planner");
   explain.footer(kExplainExamples);
   return {explain, [explain, arguments] {
             arguments->pictures.check(explain, arguments->output.any_picture(),

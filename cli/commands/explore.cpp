@@ -54,12 +54,12 @@ constexpr const char* kExploreExamples = R"(Examples:
   wend explore now.yaml --known before.yaml --start 1,1 --goal 15,9
 
 MAP is the true map. The robot does not know it, or knows an older map
-(--known). It treats cells that it has not seen as free. Before each step it sees
-what its laser scanner reaches, and plans again if it has to. The table says what
-it drove and how long each planner took, in CPU time; the picture shows the drive of
-the first planner on the map as it knows it in the end, a .gif the whole drive.
-Exit codes: 0 the robot arrived, 1 it did not (standard error gives the reason),
-2 bad usage or input.)";
+(--known). It treats cells that it has not seen as free. Before each step it
+sees what its laser scanner reaches, and plans again if it has to. The table
+says what it drove and how long each planner took, in CPU time; the picture
+shows the drive of the first planner on the map as it knows it in the end, a
+.gif all of it. Exit codes: 0 the robot arrived, 1 it did not (standard error
+gives the reason), 2 bad usage or input.)";
 
 /// The drives that were asked for, one after the other.
 class ExploreRun {
@@ -230,6 +230,7 @@ Command add_explore(Parser& app) {
       explore, {".gif", ".png", ".svg", ".pdf", ".json", ".csv"},
       "Also write a film of the first drive (.gif), a picture of it (.png, .svg, "
       ".pdf), or the table (.csv, .json); may be given several times");
+  explore.further({"--keep"});
   explore.footer(kExploreExamples);
   return {explore, [explore, arguments] {
             arguments->pictures.check(explore, arguments->output.any_picture(),

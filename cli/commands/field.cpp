@@ -32,6 +32,7 @@ struct FieldArguments {
   OptionFlags options{"field"};
   LimitArguments limits;
   bool grid = false;
+  bool times = false;
   Format format = Format::text;
   OutputFiles output;
 };
@@ -157,7 +158,8 @@ ExitCode FieldRun::report() const {
   } else if (arguments_.format == Format::json) {
     print(json());
   } else if (field_) {
-    print(field_text(*field_, space_, report_, detect_screen()));
+    print(field_text(*field_, space_, report_, detect_screen()) +
+          (arguments_.times ? times_lines(report_.times) : ""));
   }
   write_files();
   ExitCode code = success;
@@ -204,6 +206,7 @@ Command add_field(Parser& app) {
   field.add_flag("--grid", arguments->grid,
                  wrapped("Add the cost and the move of every cell to the JSON"));
   arguments->limits.add_to(field);
+  field.add_flag("--times", arguments->times, wrapped(kTimesHelp));
   add_format(field, arguments->format);
   arguments->output.add_to(
       field, {".csv", ".json"},
@@ -216,6 +219,9 @@ Command add_field(Parser& app) {
   return {field, [field, arguments] {
             if (arguments->format != Format::json && !arguments->output.any(".json")) {
               refuse_idle(field, {"--grid"}, "it needs --format json or -o FILE.json");
+            }
+            if (arguments->format == Format::json || arguments->output.print()) {
+              refuse_idle(field, {"--times"}, "it is for text; JSON always has them");
             }
             return run(*arguments);
           }};

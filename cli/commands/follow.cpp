@@ -122,6 +122,7 @@ int run(const FollowArguments& arguments) {
   const LoadedMap loaded = arguments.map.load_map();
   arguments.output.check_not_among(loaded.files);
   arguments.trajectory.check_not_among(loaded.files);
+  check_not_among(loaded.files, arguments.plot, "--plot " + arguments.plot);
   if (!arguments.path.empty()) {
     arguments.output.check_not_among({arguments.path});
     arguments.trajectory.check_not_among({arguments.path});
@@ -190,7 +191,9 @@ Command add_follow(Parser& app) {
     std::erase_if(options, has_another_flag);
     arguments->options.collect(planner.name, options);
   }
-  arguments->options.add_to(follow);
+  arguments->options.add_to(follow, "--planner");
+  follow.further({"--loop", "--samples", "--film-speed", "--limit-time", "--nearest",
+                  "--turning-radius", "--trajectory", "--clearance-distance"});
   follow.footer(kFollowExamples);
   return {follow, [follow, arguments] {
             check_idle(follow, *arguments);

@@ -4,7 +4,11 @@
 
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/option_flags.hpp"
@@ -18,6 +22,8 @@
 #include "wend/io/map/save_map.hpp"
 #include "wend/io/text.hpp"
 #include "wend/report/json.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/session/units.hpp"
 
 namespace wend::cli {
 namespace {
@@ -26,6 +32,7 @@ struct GenerateArguments {
   std::string kind;
   std::string size;
   std::uint64_t seed = 1;
+  std::vector<std::string> keep;  // "X,Y" or "X,Y,X,Y", in cells
   bool force = false;
   OptionFlags options{"generator"};
   Format format = Format::text;
@@ -36,6 +43,7 @@ constexpr const char* kGenerateExamples = R"(Examples:
   wend generate office --size 160x100 --seed 7 -o office.yaml
   wend generate maze --size 41x21 --seed 3
   wend generate random --size 512x512 --density 0.35 -o random.map -o random.png
+  wend generate random --size 20x20 --density 0.3 --keep 0,0 --keep 19,19
   wend generate car --size 20x20 --obstacles 25 --rough 25 --seed 3 -o yard.txt
   wend generate parking --size 60x40 --occupied 0.8 -o parking.yaml
   wend generate car_park --size 480x330 --seed 7 -o car_park.yaml
@@ -45,6 +53,8 @@ The same kind, size, options and seed give the same map everywhere.)";
 
 /// Where a format cannot hold the terrain.
 constexpr const char* kWayOut = "; `wend convert` rounds it and lists what is lost";
+
+constexpr const char* kNoCells = " is not a cell X,Y, or several, as in 1,1,18,18";
 
 struct Size {
   int width;
@@ -81,6 +91,54 @@ GridMap generate(const GenerateArguments& arguments) {
                                         arguments.options.values_for(generator->name)));
 }
 
+/// The cells of "1,1,18,18".
+std::vector<Cell> parse_cells(const std::string& text) {
+  std::vector<int> numbers;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto number = parse_integer<int>(word);
+    if (!number) throw InputError("--keep: " + quote(text) + kNoCells);
+    numbers.push_back(*number);
+  }
+  if (numbers.empty() || numbers.size() % 2 != 0 || text.ends_with(',')) {
+    throw InputError("--keep: " + quote(text) + kNoCells);
+  }
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) cells.push_back({numbers[i], numbers[i + 1]});
+  return cells;
+}
+
+/// The cells of --keep. Throws InputError for one that is not on the map.
+std::vector<Cell> kept_cells(const GenerateArguments& arguments, const GridMap& map) {
+  std::vector<Cell> cells;
+  for (const std::string& text : arguments.keep) {
+    for (const Cell cell : parse_cells(text)) {
+      cells.push_back(cell);
+      if (map.contains(cell)) continue;
+      throw InputError(fmt::format("--keep: the cell {} is outside the map of {} x {} cells",
+                                   cell_text(cell), map.width(), map.height()));
+    }
+  }
+  return cells;
+}
+
+/// Frees the cells of --keep. A note says which of them no path joins: a map that joins them all is another map.
+GridMap with_kept_cells(const GenerateArguments& arguments, GridMap map) {
+  const std::vector<Cell> cells = kept_cells(arguments, map);
+  if (cells.empty()) return map;
+  FreeSpace space = value_or_throw(make_free_space(map));
+  MapEdit edit;
+  for (const Cell cell : cells) edit.cells.push_back({cell, CellState::free});
+  value_or_throw(space.edit(edit));
+  for (const Cell cell : cells) {
+    if (space.components().connected(cells.front(), cell, Adjacency::edges)) continue;
+    complain(fmt::format("no path joins the cells {} and {}; try another --seed{}",
+                         cell_text(cells.front()), cell_text(cell),
+                         arguments.kind == "random" ? " or a lower --density" : ""));
+  }
+  return space.map();
+}
+
 double free_share(const GridMap& map) {
   const std::size_t blocked = map.occupied().count() + map.unknown().count();
   return 1 - static_cast<double>(blocked) / static_cast<double>(map.size());
@@ -103,9 +161,10 @@ std::string text_grid_of(const GridMap& map) {
 
 std::string text_of(const GenerateArguments& arguments, const GridMap& map) {
   if (arguments.output.files().empty()) return text_grid_of(map);
-  return fmt::format("{}: {} x {} cells, seed {}, {:.1f} % free\nwritten: {}\n", arguments.kind,
-                     map.width(), map.height(), arguments.seed, 100 * free_share(map),
-                     fmt::join(files_of_maps(arguments.output.files()), ", "));
+  return fmt::format(
+      "{}: {} x {} cells, seed {}, {:.1f} % free\nwritten: {}\n", arguments.kind, map.width(),
+      map.height(), arguments.seed, 100 * free_share(map),
+      visible(fmt::format("{}", fmt::join(files_of_maps(arguments.output.files()), ", "))));
 }
 
 int run(const GenerateArguments& arguments) {
@@ -114,7 +173,7 @@ int run(const GenerateArguments& arguments) {
   for (const std::string& file : arguments.output.files()) {
     if (!arguments.force) check_picture(file, "-o " + file);
   }
-  const GridMap map = generate(arguments);
+  const GridMap map = with_kept_cells(arguments, generate(arguments));
   arguments.output.write_all([&map](const std::string& file) {
     if (file == kStandardOutput) {
       print(text_grid_of(map));
@@ -156,6 +215,10 @@ Command add_generate(Parser& app) {
   generate.add_option("KIND", arguments->kind, kinds).type_name(kGeneratorType);
   generate.add_option("--size", arguments->size, wrapped(default_sizes())).type_name("WxH");
   add_count(generate, "--seed", arguments->seed, "Seed of the map (default 1)");
+  add_texts(generate, "--keep", arguments->keep,
+            "Cells that stay free, as in 1,1,18,18 for a start and a goal; may be given several "
+            "times. A note says if no path joins them")
+      .type_name("X,Y[,X,Y]");
   add_format(generate, arguments->format);
   arguments->output.add_to(
       generate, map_extensions(MapUse::save),
@@ -163,7 +226,7 @@ Command add_generate(Parser& app) {
           "; may be given several times. Without -o the map is printed as a text grid",
       "the text grid");
   add_force(generate, arguments->force);
-  arguments->options.add_to(generate);
+  arguments->options.add_to(generate, "KIND");
   generate.footer(kGenerateExamples);
   const Command scenario = add_generate_scenario(generate);
   return {generate, [generate, arguments, scenario] {

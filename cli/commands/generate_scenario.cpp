@@ -74,7 +74,7 @@ std::string text_of(const ScenarioArguments& arguments, const std::vector<Scenar
   if (arguments.output.files().empty()) return format_scenario(queries);
   const int buckets = queries.back().bucket + 1;
   return fmt::format("{} queries in {} bucket{} on {}, seed {}\n", queries.size(), buckets,
-                     buckets == 1 ? "" : "s", arguments.map.file, arguments.seed);
+                     buckets == 1 ? "" : "s", visible(arguments.map.file), arguments.seed);
 }
 
 int run(const ScenarioArguments& arguments) {

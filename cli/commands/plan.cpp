@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "cli/commands/plan_queries.hpp"
 #include "cli/commands/plan_run.hpp"
 #include "cli/output/gnuplot.hpp"
+#include "cli/output/plan_text.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/session/session.hpp"
@@ -114,11 +116,17 @@ void check_idle(const Parser& plan, const PlanArguments& arguments) {
   if (!arguments.queries.empty()) {
     refuse_idle(plan,
                 {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding",
-                 "--trajectory", "--plot"},
+                 "--trajectory", "--plot", "--times"},
                 "--queries only answers queries; it draws, smooths and times nothing");
   }
   arguments.pictures.check(plan, output.any_picture() || !arguments.plot.empty(),
                            arguments.format == TableFormat::text && !output.print());
+  if (arguments.format != TableFormat::text || output.print()) {
+    refuse_idle(plan, {"--times"}, "it is for text; JSON always has them");
+  }
+  if (!arguments.layers.any_order()) {
+    refuse_idle(plan, {"--count-from"}, "it needs --show expansion or --show generation");
+  }
   if (is_csv_alone(arguments)) {
     refuse_idle(plan, {"--show"}, "a CSV file has no layers; use -o FILE.png or JSON");
   }
@@ -191,6 +199,7 @@ int run(const PlanArguments& arguments) {
     arguments.trajectory.check_not_among({arguments.index});
   }
   check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
+  check_not_among(loaded.files, arguments.plot, "--plot " + arguments.plot);
   const auto session = timed(thread_cpu_seconds, times.free_space,
                              [&] { return session_for(arguments, loaded.map, planner); });
   if (!arguments.queries.empty()) return run_queries(arguments, *session, planner, index);
@@ -208,8 +217,8 @@ Command add_plan(Parser& app) {
   arguments->map.add_clearance_cost_to(plan);
   arguments->map.add_primitives_to(plan);
   plan.add_option("--start", arguments->ends.start,
-                  wrapped("Start of the path: metres in the map's frame on maps with a resolution, "
-                          "a cell on others and with --cells. For the planners hybrid_astar, "
+                  wrapped("Start of the path: metres, or cells on maps without a resolution and "
+                          "with --cells. For the planners hybrid_astar, "
                           "lattice and car also a heading: N, W, E, S or an angle such as 45deg "
                           "(car starts at a grid vertex, lattice in the middle of a cell)"))
       .type_name("X,Y[,HEADING]");
@@ -244,7 +253,9 @@ Command add_plan(Parser& app) {
       plan, "--format", arguments->format,
       {{"text", TableFormat::text}, {"json", TableFormat::json}, {"csv", TableFormat::csv}},
       "Format of the output: text (the default), all results as JSON, or the path as CSV");
+  plan.add_flag("--times", arguments->times, wrapped(kTimesHelp));
   arguments->layers.add_to(plan);
+  arguments->layers.add_counting_to(plan);
   arguments->pictures.add_to(plan);
   arguments->output.add_to(plan, {".png", ".svg", ".pdf", ".gif", ".csv", ".json"},
                            "Also write a picture (.png, .svg, .pdf), an animation of the search "
@@ -261,7 +272,13 @@ Command add_plan(Parser& app) {
     std::erase_if(options, has_flag_of_its_own);
     arguments->options.collect(planner.name, options);
   }
-  arguments->options.add_to(plan);
+  for (const PlannerInfo& planner : planners()) {
+    std::vector<OptionInfo> options = planner.options;
+    std::erase_if(options, std::not_fn(has_flag_of_its_own));
+    arguments->options.mention(planner.name, options);
+  }
+  arguments->options.add_to(plan, "--planner");
+  plan.further({"--goal-tolerance", "--threads", "--index", "--plot"});
   plan.footer(kPlanExamples);
   return {plan, [plan, arguments] {
             check_idle(plan, *arguments);

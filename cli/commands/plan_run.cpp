@@ -11,6 +11,7 @@
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
+#include "cli/output/plan_text.hpp"
 #include "cli/watching/films.hpp"
 #include "cli/watching/frame.hpp"
 #include "cli/watching/narrator.hpp"
@@ -283,7 +284,8 @@ void PlanRun::make_layers(const Limits& limits) {
   for (const LayerKind kind : arguments_.layers.kinds()) {
     switch (source_of(kind)) {
       case LayerSource::search:
-        if (searched) layers_.push_back(search_layer(kind, **planner_, *recorder_));
+        if (!searched) break;
+        layers_.push_back(arguments_.layers.counted(search_layer(kind, **planner_, *recorder_)));
         break;
       case LayerSource::cost_to_go:
         if (field) layers_.push_back(cost_to_go_layer(kind, space_, *field));
@@ -327,7 +329,8 @@ std::string PlanRun::step_text(const SteppedSearch& search, const SearchRecorder
   std::vector<Layer> layers;
   for (const LayerKind kind : arguments_.layers.kinds()) {
     if (source_of(kind) == LayerSource::search) {
-      layers.push_back(search_layer(kind, **planner_, recorder));
+      layers.push_back(arguments_.layers.as_numbers(
+          arguments_.layers.counted(search_layer(kind, **planner_, recorder))));
     }
   }
   const OpenList open = (*planner_)->open_list(kMostOpenEntries);
@@ -353,13 +356,15 @@ std::string PlanRun::text() const {
   if (quit) return text;
   if (found) text += asked_->steps(result_.plan, screen_);
   for (const Layer& layer : layers_) {
-    text += layer_text(outcome(), layer, screen_, arguments_.pictures);
+    text +=
+        layer_text(outcome(), arguments_.layers.as_numbers(layer), screen_, arguments_.pictures);
   }
   std::string summary;
   if (found) summary += asked_->summary(result_);
   if (found && built_index_) {
     summary += "index     built for this query and not saved; `wend index build` saves it\n";
   }
+  if (found && arguments_.times) summary += times_lines(result_.times);
   if (result_.refined) {
     summary += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
   }
@@ -393,7 +398,12 @@ std::string PlanRun::csv() const {
   return path_csv(path(), space_.map().frame());
 }
 
-std::string PlanRun::json() const { return plan_json(result_, space_.map().frame(), layers_); }
+std::string PlanRun::json() const {
+  std::vector<Layer> layers;
+  layers.reserve(layers_.size());
+  for (const Layer& layer : layers_) layers.push_back(arguments_.layers.as_numbers(layer));
+  return plan_json(result_, space_.map().frame(), layers);
+}
 
 /// Of a failure: what there is to see of the reason, and the reason in words.
 std::vector<Panel> PlanRun::panels() const {

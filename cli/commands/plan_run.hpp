@@ -48,6 +48,7 @@ struct PlanArguments {
   PictureArguments pictures;
   ShownLayers layers;
   WatchArguments watch;
+  bool times = false;  // of every stage, and memory, are told
   std::string plot;
   OutputFiles output;
 };

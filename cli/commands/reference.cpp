@@ -79,8 +79,13 @@ Json command_json(const CLI::App& app) {
             {"options", Json::array()}, {"examples", footer.examples},
             {"notes", footer.notes},    {"subcommands", Json::array()}};
   for (const CLI::Option* option : app.get_options()) {
-    if (option->get_group().empty()) continue;
-    json[is_positional(*option) ? "positionals" : "options"].push_back(argument_json(*option));
+    const bool shown = is_positional(*option) && !option->get_group().empty();
+    if (shown) json["positionals"].push_back(argument_json(*option));
+  }
+  for (const std::string& group : app.get_groups()) {
+    for (const CLI::Option* option : options_in(app, group)) {
+      json["options"].push_back(argument_json(*option));
+    }
   }
   for (const CLI::App* each : visible_subcommands(app)) {
     json["subcommands"].push_back(command_json(*each));

@@ -177,6 +177,7 @@ int run(const SmoothArguments& arguments) {
   const LoadedMap loaded = arguments.map.load_map();
   arguments.output.check_not_among(loaded.files);
   arguments.trajectory.check_not_among(loaded.files);
+  arguments.output.check_not_among({arguments.path});  // a failure would replace the path
   arguments.trajectory.check_not_among({arguments.path});
   const FreeSpace space = arguments.map.free_space(loaded.map);
   const Coordinates coordinates = arguments.map.coordinates(loaded.map);
@@ -227,7 +228,8 @@ void add_smoothers(Parser& app, SmoothArguments& arguments) {
   arguments.points.add_points_to(app);
   arguments.trajectory.add_file_to(app);
   arguments.trajectory.add_limits_to(app);
-  arguments.options.add_to(app);
+  arguments.options.add_to(app, "--smoother");
+  app.further({"--simplify", "--resample", "--corner-rule"});
 }
 
 }  // namespace

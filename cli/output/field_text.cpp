@@ -93,7 +93,7 @@ std::string field_text(const CostToGo& field, const FreeSpace& space, const Fiel
   const bool small = is_small(space.map(), screen);
   if (small) text += grids(field, scene_of(field, space, report), screen);
   for (const FieldStart& start : report.starts) text += start_text(start, small, screen.columns);
-  return text + reach_text(field, space) + work_lines(report.metrics, report.times);
+  return text + reach_text(field, space) + work_line(report.metrics);
 }
 
 }  // namespace wend::cli

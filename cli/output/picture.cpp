@@ -44,6 +44,7 @@ void PictureArguments::add_to(Parser& app) {
   add_style(
       app, style,
       "Colours of pictures: light (the default), dark, or print (for black-and-white printers)");
+  app.further({"--picture", "--style"});
 }
 
 void PictureArguments::check(const Parser& command, bool drawn, bool shown) const {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <sys/resource.h>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -99,6 +100,14 @@ std::string preparation_text(const WorkTimes& times) {
   return text;
 }
 
+/// The most physical memory that this process held at a time.
+double most_megabytes() {
+  constexpr double kKilobytes = 1024;  // what getrusage() counts in
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * kKilobytes / 1e6;
+}
+
 /// What was done where the robot cannot be; empty for most queries.
 std::string eased_lines(const PlanResult& result, const Frame& frame) {
   std::string text;
@@ -164,8 +173,7 @@ std::string plan_summary(const PlanResult& result, const Frame& frame) {
   return named_line("planner", result.planner) +
          named_line("cost", fmt::format("{:.6g}", plan.cost)) +
          named_line("length", length_text(plan.path.length(), frame)) + eased_lines(result, frame) +
-         named_line("quality", bound_text(plan)) + solution_lines(result) +
-         work_lines(plan.metrics, result.times);
+         named_line("quality", bound_text(plan)) + solution_lines(result) + work_line(plan.metrics);
 }
 
 std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
@@ -180,18 +188,21 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
          named_line(result.cost_name, fmt::format("{:.6g}", plan.cost)) +
          named_line("length", length_text(plan.path.length(), frame)) + eased_lines(result, frame) +
          named_line("quality", bound_text(plan)) + solution_lines(result) +
-         work_lines(plan.metrics, result.times, fmt::format("of {} states", result.states));
+         work_line(plan.metrics, fmt::format("of {} states", result.states));
 }
 
-std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
-                       const std::string& states) {
+std::string work_line(const SearchMetrics& metrics, const std::string& states) {
   return named_line("expanded",
                     fmt::format("{} {} ({} generated, frontier up to {})", metrics.expanded, states,
-                                metrics.generated, metrics.max_frontier)) +
-         named_line("time", fmt::format("{} to search, {} in all ({})", time_text(times.search),
+                                metrics.generated, metrics.max_frontier));
+}
+
+std::string times_lines(const WorkTimes& times) {
+  return named_line("time", fmt::format("{} to search, {} in all ({})", time_text(times.search),
                                         time_text(times.preparation() + times.search),
                                         thread_time_name())) +
-         named_line("before", preparation_text(times));
+         named_line("before", preparation_text(times)) +
+         named_line("memory", fmt::format("{:.1f} MB at most, of the process", most_megabytes()));
 }
 
 std::string collision_text(const PathCollision& collision, const Coordinates& coordinates) {

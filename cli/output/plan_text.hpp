@@ -10,6 +10,9 @@
 
 namespace wend::cli {
 
+/// What --times does, in help.
+inline constexpr const char* kTimesHelp = "Also print times of all stages, and memory";
+
 /// "3.5 us", "12.25 ms", "1.50 s"
 std::string time_text(double seconds);
 
@@ -26,17 +29,18 @@ std::string shift_line(const Plan& plan, const Coordinates& coordinates);
 /// for any other robot.
 std::string robot_line(const PlanResult& result);
 
-/// What was found and what it took, a line for each thing.
+/// What was found, a line for each thing.
 std::string plan_summary(const PlanResult& result, const Frame& frame);
 
 /// The same for a car's path. The coordinates are the user's.
 std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
                           std::size_t goals);
 
-/// What the search and its preparation took, also for a failure. `states` names what was expanded:
-/// "cells".
-std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
-                       const std::string& states = "cells");
+/// What the search did, also for a failure. `states` names what was expanded: "cells".
+std::string work_line(const SearchMetrics& metrics, const std::string& states = "cells");
+
+/// For --times: how long the search and each stage before it took, and the most memory that the process held.
+std::string times_lines(const WorkTimes& times);
 
 /// "after 3.21 m, at (1.2,3.4) m, cell (24,68), it enters an obstacle: that at ..."
 std::string collision_text(const PathCollision& collision, const Coordinates& coordinates);

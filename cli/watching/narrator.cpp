@@ -39,6 +39,8 @@ std::string_view mark_of(OpenTie tie) {
       return "g";
     case OpenTie::newest:
       return "new";
+    case OpenTie::chosen:
+      return "ties";
   }
   return "";
 }
@@ -80,9 +82,10 @@ std::string aligned(const std::vector<Row>& rows) {
 
 /// Explains the marks that occur among the first entries.
 std::string explained(const OpenList& list, std::size_t shown) {
-  static constexpr std::array<std::pair<OpenTie, std::string_view>, 2> kMeanings{
+  static constexpr std::array<std::pair<OpenTie, std::string_view>, 3> kMeanings{
       {{OpenTie::g, "g: same f as above; the larger g comes first\n"},
-       {OpenTie::newest, "new: tied with the entry above; the newest comes first\n"}}};
+       {OpenTie::newest, "new: tied with the entry above; the newest comes first\n"},
+       {OpenTie::chosen, "ties: same f as above; ordered as the planner's options say\n"}}};
   std::string text;
   for (const auto& [tie, meaning] : kMeanings) {
     const auto has = [tie = tie](const OpenEntry& entry) { return entry.tie == tie; };

@@ -1,6 +1,7 @@
 #include "cli/watching/shown_layers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cli/arguments/flags.hpp"
@@ -28,6 +29,10 @@ LayerKind parse_layer(const std::string& text) {
     if (choice.name == text) return choice.value;
   }
   refuse_value("--show", option_text::unknown_choice(text, layer_names()));
+}
+
+bool is_order(LayerKind kind) {
+  return kind == LayerKind::expansion || kind == LayerKind::generation;
 }
 
 /// Are the numbers only yes or no? Then a picture marks the cells.
@@ -85,6 +90,33 @@ void ShownLayers::add_to(Parser& app) {
     }
   };
   app.add_list("--show", add, wrapped(kHelp)).separated_by_commas().type_name(kLayerType);
+}
+
+void ShownLayers::add_counting_to(Parser& app) {
+  add_choice<bool>(app, "--count-from", from_zero_, {{"0", true}, {"1", false}},
+                   "Number of the first cell in the layers expansion and generation (default 1); "
+                   "with 0, text and JSON have -1 for cells that were not reached")
+      .group("Watching the search");
+}
+
+bool ShownLayers::any_order() const { return std::ranges::any_of(kinds_, is_order); }
+
+bool ShownLayers::counts(const Layer& layer) const { return from_zero_ && is_order(layer.kind); }
+
+Layer ShownLayers::counted(Layer layer) const {
+  if (!counts(layer)) return layer;
+  for (int y = 0; y < layer.numbers.height(); ++y) {
+    for (double& number : layer.numbers.row(y)) number -= 1;
+  }
+  return layer;
+}
+
+Layer ShownLayers::as_numbers(Layer layer) const {
+  if (!counts(layer)) return layer;
+  for (int y = 0; y < layer.numbers.height(); ++y) {
+    for (double& number : layer.numbers.row(y)) number = std::isnan(number) ? -1 : number;
+  }
+  return layer;
 }
 
 bool ShownLayers::any_from(LayerSource source) const {

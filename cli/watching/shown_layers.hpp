@@ -20,14 +20,29 @@ class ShownLayers {
   /// --show LAYER[,LAYER...], once or more.
   void add_to(Parser& app);
 
+  /// --count-from 0|1
+  void add_counting_to(Parser& app);
+
+  /// The layer with orders counted from where they were asked to begin.
+  Layer counted(Layer layer) const;
+
+  /// The layer as text and JSON have it: if orders are counted from 0, -1 stands where there is none.
+  Layer as_numbers(Layer layer) const;
+
   const std::vector<LayerKind>& kinds() const { return kinds_; }
   bool empty() const { return kinds_.empty(); }
+
+  /// Is there one of the order of expansion or generation?
+  bool any_order() const;
 
   /// Is there one from that source?
   bool any_from(LayerSource source) const;
 
  private:
+  bool counts(const Layer& layer) const;
+
   std::vector<LayerKind> kinds_;
+  bool from_zero_ = false;
 };
 
 /// What a layer is, with the unit of lengths: "clearance in m" where the map has metres.

@@ -39,9 +39,10 @@ class SearchObserver {
 
 /// What decides between an entry and the one before it.
 enum class OpenTie : unsigned char {
-  none,   // the smaller f; in a frontier without f, the order of arrival
-  g,      // f is the same: the larger g comes first
-  newest  // f and g are the same: the newest comes first
+  none,    // the smaller f; in a frontier without f, the order of arrival
+  g,       // f is the same: the larger g comes first
+  newest,  // f and g are the same: the newest comes first
+  chosen   // f is the same: the planner's options say what comes first
 };
 
 /// An open state, and why it stands where it does in the list.

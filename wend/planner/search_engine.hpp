@@ -72,6 +72,9 @@ SearchEvent event_of(const Search& search, const typename Search::State& state,
 template <class Key>
 OpenTie tie_between(const Key& before, const Key& key) {
   if constexpr (!std::is_same_v<Key, NoKey>) {
+    if constexpr (requires { Key::kOrderIsChosen; }) {
+      return f_of(before) < f_of(key) ? OpenTie::none : OpenTie::chosen;
+    }
     if (!(before < key)) return OpenTie::newest;
     if (!(f_of(before) < f_of(key))) return OpenTie::g;
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/path/gears.hpp"
 
@@ -83,6 +84,18 @@ Json json_of(const Grid<std::optional<Direction>>& directions, const Frame& fram
   return rows_of(directions, [&frame](const std::optional<Direction>& direction) {
     return direction ? Json(name_of(*direction, frame)) : Json();
   });
+}
+
+void put_shifts(Json& json, const Plan& plan, const Frame& frame) {
+  const bool found = !plan.path.empty();
+  const auto shift = [&](const SnappingError& error) -> Json {
+    if (!found) return {};
+    return {{"cells", error.distance},
+            {"m", error.distance * frame.resolution},
+            {"degrees", degrees_from(error.turn)}};
+  };
+  json["start_shift"] = shift(plan.start_snapping_error);
+  json["goal_shift"] = shift(plan.goal_snapping_error);
 }
 
 Json json_of(const SearchMetrics& metrics) {

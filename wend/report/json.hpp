@@ -54,6 +54,9 @@ Json json_of(const Grid<std::optional<Direction>>& directions, const Frame& fram
 /// {"name", "aliases", "kind", "default", "choices" or "least" and "greatest", "help"}
 Json json_of(const OptionInfo& option);
 
+/// "start_shift" and "goal_shift", {"cells", "m", "degrees"} from what was asked; null without a path.
+void put_shifts(Json& json, const Plan& plan, const Frame& frame);
+
 /// {"expanded", "generated", "max_frontier"}
 Json json_of(const SearchMetrics& metrics);
 

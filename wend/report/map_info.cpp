@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "wend/base/parse.hpp"
@@ -16,12 +17,25 @@ double percent(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// "1 cell", "12 cells"
+std::string cells_text(std::size_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "cell" : "cells");
+}
+
+/// "12.5 %". What is not all or nothing never reads "100.0 %" or "0.0 %".
+std::string percent_text(std::size_t part, std::size_t whole) {
+  if (part == 0 || part == whole) return fmt::format("{:.0f} %", percent(part, whole));
+  constexpr double kLeast = 0.1;
+  return fmt::format("{:.1f} %", std::clamp(percent(part, whole), kLeast, 100 - kLeast));
+}
+
 std::string share(std::size_t part, std::size_t whole) {
-  return fmt::format("{} cells ({:.1f} %)", part, percent(part, whole));
+  return fmt::format("{} ({})", cells_text(part), percent_text(part, whole));
 }
 
 std::string size_text(const MapInfo& info) {
-  std::string text = fmt::format("{} x {} cells", info.width, info.height);
+  const bool one = info.width == 1 && info.height == 1;
+  std::string text = fmt::format("{} x {} {}", info.width, info.height, one ? "cell" : "cells");
   if (info.frame.metric) {
     text += fmt::format(", {:.6g} x {:.6g} m", info.width * info.frame.resolution,
                         info.height * info.frame.resolution);
@@ -41,10 +55,11 @@ std::string terrain_text(const MapInfo& info) {
 
 std::string components_text(const MapInfo& info) {
   if (info.space.components == 0) return "none: the robot fits nowhere";
+  if (info.space.components == 1 && info.space.passable == 1) return "1, of one cell";
   if (info.space.components == 1) return "1: every free cell can be reached from every other";
-  return fmt::format("{}; the largest has {} cells, {:.1f} % of the free ones",
-                     info.space.components, info.space.largest_component,
-                     percent(info.space.largest_component, info.space.passable));
+  return fmt::format("{}; the largest has {}, {} of the free ones", info.space.components,
+                     cells_text(info.space.largest_component),
+                     percent_text(info.space.largest_component, info.space.passable));
 }
 
 std::string frame_text(const Frame& frame) {

@@ -14,12 +14,6 @@
 namespace wend {
 namespace {
 
-Json json_of(const SnappingError& error, const Frame& frame) {
-  return {{"cells", error.distance},
-          {"m", error.distance * frame.resolution},
-          {"degrees", degrees_from(error.turn)}};
-}
-
 Json json_of(const std::vector<TimedSolution>& solutions) {
   constexpr double kMicroseconds = 1e6;
   Json list = Json::array();
@@ -45,8 +39,7 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
     put_eased(json, result.lead_out, result.remaining, frame);
   }
   const bool found = !result.plan.path.empty();
-  json["start_shift"] = found ? json_of(result.plan.start_snapping_error, frame) : Json();
-  json["goal_shift"] = found ? json_of(result.plan.goal_snapping_error, frame) : Json();
+  put_shifts(json, result.plan, frame);
   if (result.capabilities.headings) {
     json["steps_in_reverse"] = found ? Json(steps_in_reverse(result.plan)) : Json();
     if (result.unit > 0) {
@@ -89,9 +82,13 @@ std::string drive_commands(const Plan& plan, const Frame& frame) {
   const std::vector<Pose> poses = plan.path.poses();
   assert(plan.moves.size() + 1 == poses.size());
   std::string text = "Start " + pose_text(poses.front(), frame) + "\n";
-  for (std::size_t i = 0; i < plan.moves.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "Go {} -> {}\n", plan.moves[i],
-                   pose_text(poses[i + 1], frame));
+  for (std::size_t i = 0; i < plan.moves.size();) {
+    std::size_t end = i + 1;
+    while (end < plan.moves.size() && plan.moves[end] == plan.moves[i]) ++end;
+    const std::string times = end - i > 1 ? fmt::format("{} x ", end - i) : "";
+    fmt::format_to(std::back_inserter(text), "Go {}{} -> {}\n", times, plan.moves[i],
+                   pose_text(poses[end], frame));
+    i = end;
   }
   return text;
 }

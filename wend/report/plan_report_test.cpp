@@ -192,6 +192,17 @@ TEST(DriveCommands, AreTheStartAndALineForEachMove) {
             "Go REV_LEFT -> (3,1,W)\n");
 }
 
+/// Expanded again, the lines are the moves, and each ends at the last of its poses.
+TEST(DriveCommands, MergeEqualMovesThatFollowEachOther) {
+  using enum CarMove;
+  const Plan plan = driven({{1, 1}, Heading::plus_x}, {fwd, fwd, fwd, fwd_plus, rev, rev}, kYDown);
+  EXPECT_EQ(drive_commands(plan, kYDown),
+            "Start (1,1,E)\n"
+            "Go 3 x FWD -> (4,1,E)\n"
+            "Go FWD_RIGHT -> (5,2,S)\n"
+            "Go 2 x REV -> (5,0,S)\n");
+}
+
 TEST(DriveCommands, SayTheSameOfTheSameDriveWithYUp) {
   const Plan plan =
       driven({{10, 10}, Heading::plus_x}, {CarMove::fwd_minus, CarMove::fwd}, kYUp, 5);

@@ -69,6 +69,16 @@ std::string range_text(const OptionInfo& option) {
   return either_of(option.choices);
 }
 
+std::string planner_table(const Registry<PlannerInfo>& planners) {
+  constexpr std::string_view kLine = "{:<16} {:<12} {:<6}{}\n";
+  std::string text = fmt::format(kLine, "planner", "guarantee", "for", "what it does");
+  for (const PlannerInfo& planner : planners) {
+    text += fmt::format(kLine, planner.name, choice_name(planner.guarantee), planner.motion,
+                        planner.summary);
+  }
+  return text + "`wend planners NAME` tells all about a planner.\n";
+}
+
 std::string planner_listing_text(const Registry<PlannerInfo>& planners) {
   std::string text;
   for (const PlannerInfo& planner : planners) {

@@ -10,6 +10,10 @@
 
 namespace wend {
 
+/// A table with a line for each planner: its name, its guarantee in a word, what it plans for and what it does. At most
+/// 80 columns as long as summaries have at most 44.
+std::string planner_table(const Registry<PlannerInfo>& planners);
+
 /// Each planner with what it guarantees and costs, when to choose it, its options with ranges and
 /// defaults, and its paper. Paragraphs have at most 90 columns.
 std::string planner_listing_text(const Registry<PlannerInfo>& planners);

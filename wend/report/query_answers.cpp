@@ -30,18 +30,23 @@ std::string counts_of(std::span<const QueryAnswer> answers) {
 
 std::string query_answers_csv(std::span<const QueryAnswer> answers, const Frame& frame) {
   std::string text =
-      "line,start,goal,status,reason,cost,length_cells,length_m,expanded,search_us\n";
+      "line,start,goal,status,reason,cost,length_cells,length_m,expanded,search_us,start_shift_m,"
+      "goal_shift_m\n";
   for (const QueryAnswer& answer : answers) {
     std::string numbers = ",,";
+    std::string shifts = ",";
     if (answer.found()) {
       const double length = answer.plan.path.length();
       numbers = fmt::format("{},{},{}", format_number(answer.plan.cost), format_number(length),
                             format_number(length * frame.resolution));
+      shifts = fmt::format(
+          "{},{}", format_number(answer.plan.start_snapping_error.distance * frame.resolution),
+          format_number(answer.plan.goal_snapping_error.distance * frame.resolution));
     }
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", answer.line,
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", answer.line,
                    csv_field(answer.start), csv_field(answer.goal), answer.status,
                    csv_field(answer.reason), numbers, answer.plan.metrics.expanded,
-                   format_number(microseconds(answer)));
+                   format_number(microseconds(answer)), shifts);
   }
   return text;
 }
@@ -56,6 +61,7 @@ std::string query_answers_json(std::string_view planner, std::span<const QueryAn
              {"status", answer.status},
              {"reason", answer.reason}};
     put_path(row, answer.plan, frame, capabilities);
+    put_shifts(row, answer.plan, frame);
     put_eased(row, answer.lead_out, answer.remaining, frame);
     row["metrics"] = json_of(answer.plan.metrics);
     row["search_us"] = in_microseconds(answer.seconds);

@@ -2,15 +2,18 @@
 
 // Answers to many queries, a row each, in the order in which they were asked.
 //
-//   line,start,goal,status,reason,cost,length_cells,length_m,expanded,search_us
-//   2,"1,1","15,9",found,,181.9,181.9,9.1,412,35.2
-//   3,"1,1","0,0",goal_blocked,"the goal (0,0) m, ... is blocked: ...",,,,0,1.1
+//   line,start,goal,status,reason,cost,length_cells,length_m,expanded,search_us,start_shift_m,goal_shift_m
+//   2,"1,1","15,9",found,,181.9,181.9,9.1,412,35.2,0.025,0.025
+//   3,"1,1","0,0",goal_blocked,"the goal (0,0) m, ... is blocked: ...",,,,0,1.1,,
+//
+// The shifts say how far the path's ends are from what was asked; metres are cells on maps in cells.
 //
 // In JSON, one line:
 //
 //   {"schema": 1, "planner": "astar", "answers": [{"line": 2, "start": "1,1", "goal": "15,9",
 //    "status": "found", "reason": "", "cost": 181.9, "length_cells": ..., "length_m": ..., "path":
-//    [[x,y],...], "path_m": [[x,y],...], "metrics": {"expanded", "generated",
+//    [[x,y],...], "path_m": [[x,y],...], "start_shift": {"cells", "m", "degrees"}, "goal_shift": ...,
+//    "metrics": {"expanded", "generated",
 //    "max_frontier"}, "search_us": 35.2}, ...]}
 //
 // with "lead_out" and "remaining" where plan_json() has them, and "steps", "headings", "moves" and "yaw" for a car, as in plan_json().

@@ -1,5 +1,6 @@
 #include "wend/session/resuming.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,13 @@ std::optional<GridMoves> moves_if_optimal(const PlannerSpec& spec) {
   return plan && plan->optimal() ? (*planner)->grid_moves() : std::nullopt;
 }
 
+/// Which of several cheapest paths is found matters to who chooses an order.
+bool asks_for_an_order(const PlannerSpec& spec) {
+  return std::ranges::any_of(spec.options, [](const auto& option) {
+    return option.first == "neighbour_order" || option.first == "ties";
+  });
+}
+
 /// Writes the fields of GridMoves as text.
 struct AsText {
   OptionValues values;
@@ -45,7 +53,7 @@ struct AsText {
 
 PlannerSpec resuming(const PlannerSpec& spec, const FreeSpace& space) {
   const PlannerInfo* info = planners().find(spec.name);
-  if (info == nullptr || !may_be_replaced(*info, space)) return spec;
+  if (info == nullptr || !may_be_replaced(*info, space) || asks_for_an_order(spec)) return spec;
   const auto moves = moves_if_optimal(spec);
   if (!moves) return spec;
   AsText text;

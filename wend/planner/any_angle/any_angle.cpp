@@ -27,7 +27,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const ShortestAnyAngleOp
 PlannerInfo any_angle_planner() {
   return grid_planner<ShortestAnyAngleOptions>(
       {.name = "any_angle",
-       .summary = "The shortest path at any angle, over the corners of obstacles",
+       .summary = "The shortest path at any angle",
        .idea =
            "A shortest path is straight but for corners of obstacles, around which it bends. A* "
            "goes from corner to corner, along lines that touch both obstacles, and turns only "

@@ -54,8 +54,7 @@ struct ParentsTakenOnTrust {
 PlannerInfo lazy_theta_star_planner() {
   return grid_planner<LazyThetaStarOptions>(
       {.name = "lazy_theta_star",
-       .summary =
-           "Lazy Theta*: Theta* that checks the line to a cell only when it expands the cell",
+       .summary = "Lazy Theta*: Theta* with fewer line checks",
        .idea =
            "It takes for granted that a cell is in sight of its neighbour's parent. If that proves "
            "wrong, the cell gets the best of its expanded neighbours for its parent. Turns are "

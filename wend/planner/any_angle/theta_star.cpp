@@ -39,7 +39,7 @@ struct ParentsInSight {
 PlannerInfo theta_star_planner() {
   return grid_planner<ThetaStarOptions>(
       {.name = "theta_star",
-       .summary = "Theta*: A* that turns at any angle, at the cells where it has to",
+       .summary = "Theta*: A* that turns at any angle",
        .idea = "A cell takes the parent of its neighbour for its own parent where that one is in "
                "sight. When it is expanded, it takes a neighbour of this parent where the path "
                "becomes shorter.",

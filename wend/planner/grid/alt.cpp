@@ -39,7 +39,7 @@ PlannerResult make_within(const FreeSpace& space, const OptionValues& values,
 PlannerInfo alt_planner() {
   PlannerInfo info = grid_planner<AltOptions>(
       {.name = "alt",
-       .summary = "ALT: A* with landmarks, whose exact costs to all cells guide the search",
+       .summary = "ALT: A* guided by exact costs of landmarks",
        .idea = "The costs from some far cells, the landmarks, to all cells are computed when the "
                "planner is made. "
                "By the triangle inequality they are lower bounds of the cost to the goal that know "

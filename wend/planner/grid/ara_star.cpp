@@ -84,7 +84,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const AraStarOptions& op
 PlannerInfo ara_star_planner() {
   return grid_planner<AraStarOptions>(
       {.name = "ara_star",
-       .summary = "ARA*: a first path soon, then cheaper ones, each with a proven bound",
+       .summary = "ARA*: a path soon, then cheaper ones",
        .idea = "A* with a large weight finds a path after few cells. The next search takes a "
                "smaller weight, and "
                "expands only cells whose cost has fallen and those that were left open. With the "

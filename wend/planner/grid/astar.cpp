@@ -8,8 +8,12 @@ namespace wend {
 namespace {
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const AStarOptions& options) {
-  const BestFirst parts{options.moves, resolved(options.heuristic.kind, options.moves.connectivity),
-                        options.heuristic.constant, options.weight, options.leaps};
+  const BestFirst parts{options.moves,
+                        resolved(options.heuristic.kind, options.moves.connectivity),
+                        options.heuristic.constant,
+                        options.weight,
+                        options.leaps,
+                        options.order};
   return best_first_parts(space, parts);
 }
 
@@ -18,8 +22,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const AStarOptions& opti
 PlannerInfo astar_planner() {
   return grid_planner<AStarOptions>(
       {.name = "astar",
-       .summary =
-           "A*: expands the cell with the lowest cost from the start plus estimate to the goal",
+       .summary = "A*: lowest cost so far plus estimate first",
        .idea = "A weight w multiplies the estimate.",
        .citation = "Hart, Nilsson, Raphael 1968; weighted: Pohl 1970",
        .guarantee_text =

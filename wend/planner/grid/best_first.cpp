@@ -4,6 +4,7 @@
 
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/planner/grid/leap_engine.hpp"
+#include "wend/planner/grid/ordered_engine.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/widening_engine.hpp"
 #include "wend/search/frontiers.hpp"
@@ -84,6 +85,16 @@ bool BestFirst::whole() const {
 }
 
 GridPlanner::Parts best_first_parts(const FreeSpace& space, const BestFirst& parts) {
+  if (parts.order.chosen()) {
+    return {parts.moves,
+            make_cheapest_way_engine(space, {.moves = parts.moves,
+                                             .order = parts.order,
+                                             .heuristic = parts.heuristic,
+                                             .constant = parts.constant,
+                                             .g_share = 1,
+                                             .weight = parts.weight}),
+            parts.bound()};
+  }
   if (!space.uniform_terrain() && parts.leaps && can_leap(space, parts)) {
     return leap_parts(space, parts);
   }

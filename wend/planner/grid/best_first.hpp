@@ -10,6 +10,7 @@
 #include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 #include "wend/space/grid/heuristic.hpp"
+#include "wend/space/grid/search_order.hpp"
 
 namespace wend {
 
@@ -19,6 +20,7 @@ struct BestFirst {
   double constant;          // what HeuristicKind::constant is worth
   double weight;            // w >= 0
   bool leaps = true;        // on cells with costs, if they can be made
+  SearchOrder order = {};   // if one is chosen, cells are expanded one by one in it
 
   /// Does f never fall along a path? Then the first expansion of a cell is its cheapest.
   bool consistent() const;

@@ -6,6 +6,7 @@
 #include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/planner/grid/ordered_engine.hpp"
 
 namespace wend {
 namespace {
@@ -21,6 +22,12 @@ double bound(const FreeSpace& space, const GridMoves& moves) {
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const BfsOptions& options) {
   const GridMoves& moves = options.moves;
+  if (options.neighbours != NeighbourOrder::any) {
+    const SearchOrder order{options.neighbours, Ties::oldest};
+    return {moves,
+            make_first_way_engine(space, {.moves = moves, .order = order, .fewest_steps = true}),
+            bound(space, moves)};
+  }
   return {moves, std::make_unique<BfsEngine>(ExactGrid(space, moves), ByFewestSteps()),
           bound(space, moves)};
 }
@@ -30,7 +37,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const BfsOptions& option
 PlannerInfo bfs_planner() {
   return grid_planner<BfsOptions>(
       {.name = "bfs",
-       .summary = "Breadth-first search: expands cells in the order in which they are reached",
+       .summary = "Breadth-first search: the oldest cell first",
        .idea = "Its frontier is a queue, so the first path to the goal has the fewest steps; among "
                "such "
                "paths it keeps a shortest one.",

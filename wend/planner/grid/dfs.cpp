@@ -4,6 +4,7 @@
 #include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/planner/grid/ordered_engine.hpp"
 
 namespace wend {
 namespace {
@@ -12,6 +13,10 @@ using DfsEngine = GridEngineOf<ExactGrid, LifoFrontier, ByArrival, DuplicateRule
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const DfsOptions& options) {
   const GridMoves& moves = options.moves;
+  if (options.neighbours != NeighbourOrder::any) {
+    const SearchOrder order{options.neighbours, Ties::newest};
+    return {moves, make_first_way_engine(space, {.moves = moves, .order = order}), Plan::kNoBound};
+  }
   return {moves, std::make_unique<DfsEngine>(ExactGrid(space, moves), ByArrival()), Plan::kNoBound};
 }
 
@@ -20,7 +25,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const DfsOptions& option
 PlannerInfo dfs_planner() {
   return grid_planner<DfsOptions>(
       {.name = "dfs",
-       .summary = "Depth-first search: expands the cell that was reached last",
+       .summary = "Depth-first search: the newest cell first",
        .idea =
            "Its frontier is a stack: it follows one path until it is stuck, then returns to the "
            "newest open cell.",

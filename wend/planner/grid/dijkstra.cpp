@@ -8,7 +8,8 @@ namespace wend {
 namespace {
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const DijkstraOptions& options) {
-  return best_first_parts(space, {options.moves, HeuristicKind::zero, 0, 0, options.leaps});
+  return best_first_parts(space,
+                          {options.moves, HeuristicKind::zero, 0, 0, options.leaps, options.order});
 }
 
 }  // namespace
@@ -16,7 +17,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const DijkstraOptions& o
 PlannerInfo dijkstra_planner() {
   return grid_planner<DijkstraOptions>(
       {.name = "dijkstra",
-       .summary = "Dijkstra: expands the cell with the lowest cost from the start",
+       .summary = "Dijkstra: lowest cost from the start first",
        .idea = "The search grows evenly in all directions and needs no estimate.",
        .citation = "Dijkstra 1959",
        .guarantee_text = "optimal; on terrain at most 1.5e-6 of the cost more",

@@ -4,6 +4,7 @@
 #include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/planner/grid/ordered_engine.hpp"
 
 namespace wend {
 namespace {
@@ -13,6 +14,15 @@ using GreedyEngine = GridEngineOf<ExactGrid, HeapFrontier<RealKey<ExactGrid::Cos
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const GreedyOptions& options) {
   const HeuristicKind kind = resolved(options.heuristic.kind, options.moves.connectivity);
+  if (options.order.chosen()) {
+    return {options.moves,
+            make_first_way_engine(space, {.moves = options.moves,
+                                          .order = options.order,
+                                          .heuristic = kind,
+                                          .constant = options.heuristic.constant,
+                                          .weight = 1}),
+            Plan::kNoBound};
+  }
   const RealEstimate<ExactGrid> estimate(kind, options.heuristic.constant, /*g_share=*/0,
                                          /*weight=*/1);
   return {options.moves, std::make_unique<GreedyEngine>(ExactGrid(space, options.moves), estimate),
@@ -24,7 +34,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const GreedyOptions& opt
 PlannerInfo greedy_planner() {
   return grid_planner<GreedyOptions>(
       {.name = "greedy",
-       .summary = "Greedy best-first search: expands the cell with the lowest estimate to the goal",
+       .summary = "Greedy best-first: lowest estimate first",
        .idea = "It ignores the cost so far. In front of a wall it explores the whole area before "
                "it goes around.",
        .citation = "Doran, Michie 1966",

@@ -10,6 +10,7 @@
 #include "wend/base/options.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 #include "wend/space/grid/heuristic.hpp"
+#include "wend/space/grid/search_order.hpp"
 
 namespace wend {
 
@@ -30,7 +31,8 @@ struct AStarOptions {
   GridMoves moves = {};             // how the robot steps
   HeuristicOptions heuristic = {};  // the estimate of the cost to the goal
   double weight = 1;                // w >= 0 in f = g + w h: 0 is Dijkstra
-  bool leaps = true;  // on maps with costs; false: expand cell by cell, to watch a search
+  bool leaps = true;       // on maps with costs; false: expand cell by cell, to watch a search
+  SearchOrder order = {};  // of neighbours and of equal cells
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -42,6 +44,7 @@ struct AStarOptions {
            {"lambda", "w"}},
           self.weight, OptionRange{0, 1e6});
     detail::leaps_field(self.leaps, field);
+    SearchOrder::fields(self.order, field);
   }
 };
 
@@ -51,11 +54,13 @@ struct GreedyOptions {
 
   GridMoves moves = {};                                     // how the robot steps
   HeuristicOptions heuristic = {HeuristicKind::euclidean};  // the estimate of the cost to the goal
+  SearchOrder order = {};                                   // of neighbours and of equal cells
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
     HeuristicOptions::fields(self.heuristic, field);
+    SearchOrder::fields(self.order, field);
   }
 };
 
@@ -63,13 +68,15 @@ struct GreedyOptions {
 struct DijkstraOptions {
   static constexpr std::string_view kPlanner = "dijkstra";  // its name
 
-  GridMoves moves = {};  // how the robot steps
-  bool leaps = true;     // on maps with costs; false: expand cell by cell, to watch a search
+  GridMoves moves = {};    // how the robot steps
+  bool leaps = true;       // on maps with costs; false: expand cell by cell, to watch a search
+  SearchOrder order = {};  // of neighbours and of equal cells
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
     detail::leaps_field(self.leaps, field);
+    SearchOrder::fields(self.order, field);
   }
 };
 
@@ -113,11 +120,13 @@ struct AraStarOptions {
 struct BfsOptions {
   static constexpr std::string_view kPlanner = "bfs";  // its name
 
-  GridMoves moves = {};  // how the robot steps
+  GridMoves moves = {};                             // how the robot steps
+  NeighbourOrder neighbours = NeighbourOrder::any;  // of a cell
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
+    detail::neighbour_order_field(self.neighbours, field);
   }
 };
 
@@ -125,11 +134,13 @@ struct BfsOptions {
 struct DfsOptions {
   static constexpr std::string_view kPlanner = "dfs";  // its name
 
-  GridMoves moves = {};  // how the robot steps
+  GridMoves moves = {};                             // how the robot steps
+  NeighbourOrder neighbours = NeighbourOrder::any;  // of a cell
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
+    detail::neighbour_order_field(self.neighbours, field);
   }
 };
 

@@ -165,8 +165,9 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const RandomWalkOptions&
 PlannerInfo random_walk_planner() {
   return grid_planner<RandomWalkOptions>(
       {.name = "random_walk",
-       .summary = "Random walk with a short memory, on 4 neighbours",
-       .idea = "Each step avoids the latest cells if it can. It ignores the goal's position.",
+       .summary = "Random walk with a short memory",
+       .idea = "Each step, to one of 4 neighbours, avoids the latest cells if it can. It ignores "
+               "the goal's position.",
        .citation = "Pearson 1905",
        .guarantee_text = "none: the walk ends after max_steps",
        .time = "O(s) in the s steps taken; max_steps is the only bound on s",

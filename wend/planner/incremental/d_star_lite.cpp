@@ -251,8 +251,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const DStarLiteOptions& 
 PlannerInfo d_star_lite_planner() {
   return grid_planner<DStarLiteOptions>(
       {.name = "d_star_lite",
-       .summary =
-           "D* Lite: repairs its last search, backwards from the goal, after changes of the map",
+       .summary = "D* Lite: repairs its search after changes",
        .idea = "Each cell has its cost to the goal and the one that its neighbours imply. A change "
                "makes some "
                "cells inconsistent; the search expands these, in the order of A*, as far as the "

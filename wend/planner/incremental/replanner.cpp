@@ -18,8 +18,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const ReplannerOptions& 
 PlannerInfo replanner_planner() {
   return grid_planner<ReplannerOptions>(
       {.name = "replanner",
-       .summary =
-           "Replanning: keeps its last path, or repairs its last search, when the map changes",
+       .summary = "Replanning: repairs its last path or search",
        .idea = "It first asks whether the rest of the last path can have become dearer, or another "
                "one cheaper. "
                "If so, it repairs the tree of its last search backwards from the goal, or searches "

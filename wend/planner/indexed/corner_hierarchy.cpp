@@ -11,7 +11,7 @@ namespace wend {
 PlannerInfo corner_hierarchy_planner() {
   return with_index(
       {.name = "corner_hierarchy",
-       .summary = "Contraction hierarchy on the turns at obstacle corners",
+       .summary = "Contraction hierarchy of obstacle corners",
        .idea =
            "The turns of shortest paths form a sparse directed graph. Shortcuts replace its nodes "
            "one by one. A query searches upwards from start and goal until the searches meet.",

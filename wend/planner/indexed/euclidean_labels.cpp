@@ -77,7 +77,7 @@ Expected<std::unique_ptr<IndexAnswers>, Error> open_answers(IndexBytes index,
 PlannerInfo euclidean_labels_planner() {
   return with_index(
       {.name = std::string(kEuclideanLabels),
-       .summary = "Looks up the shortest path at any angle in labels of the map's corners",
+       .summary = "Looks up the shortest path at any angle",
        .idea =
            "A shortest path turns at corners of obstacles, and is taut there. Each corner has a "
            "label: a few hubs with the lengths of the taut paths to them, sorted by the edge by "

@@ -6,7 +6,7 @@ namespace wend {
 PlannerInfo hub_labels_planner() {
   return with_index(
       {.name = std::string(kHubLabels),
-       .summary = "Hub labels: looks up paths in labels of the map's corners",
+       .summary = "Hub labels: looks up paths in an index",
        .idea = "Shortest paths turn at obstacle corners. Each corner has a label: a few hubs with "
                "the costs to them. A query returns the stored path through the best common hub of "
                "two labels.",

@@ -27,7 +27,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space) {
 PlannerInfo jps_planner() {
   return {
       .name = "jps",
-      .summary = "Jump point search: A* that skips the cells between two turns",
+      .summary = "Jump point search: A* from turn to turn",
       .idea =
           "It considers only shortest paths with diagonal steps first, which turn only at "
           "obstacle corners. It reads 64 cells at a time, skips dead ends, and caches "

@@ -57,7 +57,7 @@ std::int64_t unit_for(double turning_radius, const Frame& frame) {
 PlannerInfo car_planner() {
   return {
       .name = "car",
-      .summary = "A* for a car on a state lattice with six motion primitives",
+      .summary = "A* for a car on a lattice, with six motions",
       .idea =
           "At a lattice vertex the car faces north, west, east or south. It moves one lattice cell "
           "straight, or a quarter circle of that radius, forwards or in reverse. A turn costs pi/2 "

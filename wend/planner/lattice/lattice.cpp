@@ -57,7 +57,7 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
 PlannerInfo lattice_planner() {
   return {
       .name = "lattice",
-      .summary = "A* for a robot with a shape and a heading, by motion primitives from a file",
+      .summary = "A* by motion primitives, for any footprint",
       .idea =
           "A state is a cell and a heading. Motion primitives lead from state to state; the "
           "robot's own shape is swept along each. The heuristic is the way around the obstacles "

@@ -29,7 +29,7 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
 PlannerInfo hybrid_astar_planner() {
   return {
       .name = "hybrid_astar",
-      .summary = "hybrid A* for a robot with a shape, a heading and a turning radius",
+      .summary = "Hybrid A*: a robot with shape and heading",
       .idea =
           "Poses are continuous; of each small box of positions and headings the best one is kept. "
           "Short arcs and lines lead from pose to pose, and Reeds-Shepp curves straight to the "
