@@ -186,7 +186,8 @@ RC_GTEST_PROP(TerminalPicture, HidesNoCellBesideAMark, ()) {
   const int size = *rc::gen::inRange(1, 7);  // pixels a cell
   const int rows = (size * height + 1) / 2;
   const Pixels pixels = pixels_of_blocks(terminal_picture(scene, size * width, rows, kBlocks));
-  const CellPaints paints(scene, {});
+  const Style style;
+  const CellPaints paints(scene, style);
   for (int y = 0; y < size * height; ++y) {
     for (int x = 0; x < size * width; ++x) {
       const Cell cell{x / size, y / size};
@@ -203,7 +204,7 @@ TEST(TerminalPicture, KeepsWallsAndMixesNoColoursWhereManyCellsShareAPixel) {
     Grid<CellState> cells(160, 100);
     for (int y = 0; y < 100; ++y) cells[{wall, y}] = CellState::occupied;
     scene.space = *make_free_space(*make_grid_map(cells));
-    for (const Pixels& shown : {pixels_of_blocks(terminal_picture(scene, 46, 40, kBlocks)),
+    for (const Pixels& shown : {pixels_of_blocks(terminal_picture(scene, 48, 40, kBlocks)),
                                 pixels_of_blocks(terminal_picture(scene, 80, 40, kBlocks))}) {
       for (const auto& row : shown) {
         EXPECT_EQ(std::ranges::count(row, rgb_of(Style{}.occupied)), 1) << wall;
