@@ -16,7 +16,7 @@ constexpr double kLeastMarkDistance = 1;  // pixels; points of cells nearer to e
 constexpr double kLeastPointDistance =
     0.25;                              // pixels; points of lines nearer to each other are one
 constexpr double kLeastBend = 4;       // pixels
-constexpr double kLeastDash = 2;       // pixels; dashes are as long as those of a line so wide
+constexpr double kLeastDash = 1.5;     // pixels; dashes are as long as those of a line so wide
 constexpr double kLeastLineWidth = 1;  // pixels
 constexpr double kArrow = 3.6;         // an arrow's length, in widths of the line
 constexpr double kArrowSpacing = 1.7;  // from arrow to arrow at least, in lengths of an arrow
@@ -228,9 +228,12 @@ void stroke_line(const Pen& pen, LineRole role) {
   // that it does not exist yet.
   const bool dashed =
       role == LineRole::possible || (role == LineRole::planned && pen.sizes.halo > 0);
-  if (dashed) set_dashes(pen.context, std::max(width, kLeastDash), 2.6, 2.2);
+  const double drawn = dashed ? std::max(width, kLeastDash) : width;
+  // Half characters are not smooth elsewhere, but gaps of a thin line would vanish.
+  if (dashed) cairo_set_antialias(pen.context, CAIRO_ANTIALIAS_DEFAULT);
+  if (dashed) set_dashes(pen.context, drawn, 2.6, 2.2);
   set_round_line(pen.context);
-  stroke(pen.context, width, pen.style.of(role));
+  stroke(pen.context, drawn, pen.style.of(role));
   cairo_restore(pen.context);
 }
 
