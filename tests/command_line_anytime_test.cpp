@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "command_line/run_program.hpp"
 
@@ -96,6 +97,27 @@ TEST_F(AnytimeCommand, ListsTheDrivesOfAnInitialWeight) {
     EXPECT_EQ(answer.at("solutions").back().at("cost"), answer.at("cost"));
     EXPECT_EQ(answer.at("bound"), 1);
   }
+}
+
+TEST_F(AnytimeCommand, KeepsTheWordsOfItsPlotOnThePage) {
+  const std::string plot = folder_ / "bounds.svg";
+  const Outcome outcome = plan({"--plot", plot});
+  if (outcome.err.find("needs the program gnuplot") != std::string::npos) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  const std::string svg = bytes_of(plot);
+  std::smatch page;
+  ASSERT_TRUE(std::regex_search(svg, page, std::regex(R"(viewBox="0 0 (\d+) (\d+)\")")));
+  const double height = std::stod(page[2]);
+  constexpr double kBelowBaseline = 5;  // pixels of a letter that reaches down
+  int words = 0;
+  const std::regex baseline(R"(translate\(([\d.]+),([\d.]+)\)[^<]*<text)");
+  for (std::sregex_iterator text(svg.begin(), svg.end(), baseline), end; text != end; ++text) {
+    EXPECT_LE(std::stod((*text)[2]) + kBelowBaseline, height);
+    ++words;
+  }
+  EXPECT_GT(words, 5);
+  EXPECT_THAT(svg, HasSubstr("lower bound"));
 }
 
 TEST_F(AnytimeCommand, PlotsOnlyWhatIsAnytime) {

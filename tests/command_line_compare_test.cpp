@@ -7,6 +7,7 @@
 
 #include "command_line/run_program.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/render/animation/gif_test_support.hpp"
 
 namespace wend::test {
 namespace {
@@ -217,6 +218,28 @@ TEST_F(CompareCommand, DrawsAPanelForEachPlanner) {
   EXPECT_THAT(bytes_of(svg), HasSubstr("<svg"));
   EXPECT_THAT(bytes_of(folder_ / "table.csv"), HasSubstr("astar"));
   EXPECT_EQ(json::parse(bytes_of(folder_ / "table.json")).at("queries").size(), 1U);
+}
+
+TEST_F(CompareCommand, FilmsTheSearchesBesideEachOther) {
+  const std::string film = folder_ / "beside.gif";
+  const std::vector<std::string> query{"--start", "0,0", "--goal",  "4,5",
+                                       "-o",      film,  "--speed", "20"};
+  const auto frames = [&](const std::string& planners) {
+    std::vector<std::string> arguments = query;
+    arguments.insert(arguments.end(), {"--planner", planners});
+    const Outcome outcome = compare(std::move(arguments));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return decoded(bytes_of(film)).frames;
+  };
+  const auto astar = frames("astar");
+  const auto dijkstra = frames("dijkstra");
+  const auto both = frames("astar,dijkstra");
+  EXPECT_LT(astar.size(), dijkstra.size());
+  EXPECT_EQ(both.size(), dijkstra.size()) << "expansion by expansion until the last search ends";
+  EXPECT_GT(both.front().image.width(), astar.front().image.width());
+  EXPECT_THAT(compare({"--random", "3", "-o", film}).err, HasSubstr("one query only"));
+  EXPECT_THAT(compare({"--start", "0,0", "--goal", "4,5", "--speed", "3"}).err,
+              HasSubstr("it needs -o FILE.gif"));
 }
 
 TEST_F(CompareCommand, PlotsManyQueries) {

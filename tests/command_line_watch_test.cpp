@@ -10,8 +10,8 @@
 #include "tests/testing/drawn_map.hpp"
 #include "wend/analysis/layer.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/render/animation/film_canvas.hpp"
 #include "wend/render/animation/gif_test_support.hpp"
-#include "wend/render/picture/drawing.hpp"
 
 namespace wend::test {
 namespace {
@@ -403,7 +403,10 @@ TEST_F(Watching, KeepsTheSearchAsAFilm) {
   const Decoded decoded = test::decoded(bytes_of(film));
   // 20 expansions and 20 frames a second: one before each expansion, the end, and the outcome.
   EXPECT_EQ(decoded.frames.size(), expanded + 2);
-  const Image expected = draw_pixels(outcome_scene(), 800, 640);
+  const Scene scene = outcome_scene();
+  const FilmPanel panel{"astar", std::to_string(expanded) + " expanded", scene};
+  FilmCanvas canvas(std::span(&panel, 1), legend_of(scene, {}), 800, 640, {});
+  const Image& expected = canvas.draw(std::span(&panel, 1));
   const Image& last = decoded.frames.back().image;
   ASSERT_EQ(last.width(), expected.width());
   ASSERT_EQ(last.height(), expected.height());

@@ -70,11 +70,11 @@ struct Comparison {
 
 /// For people. For one query: a line for each planner about its path, then one about its search, then
 /// why some found nothing; tables that are too wide continue below. For many: a block for each
-/// measure, with a line for each planner. At most 80 columns unless an option in a planner's name is
-/// longer than 24 characters. The best values are marked, unless all are equal; only planners that
+/// measure, with a line for each planner. At most `width` columns (80 or more) unless an option in a planner's
+/// name is longer than 24 characters. The best values are marked, unless all are equal; only planners that
 /// found a path compete. Lengths are in the user's unit, metres or cells. Cars are also compared by
 /// steps and reversals.
-std::string comparison_table(const Comparison& comparison);
+std::string comparison_table(const Comparison& comparison, std::size_t width = 80);
 
 /// {"schema", "queries": [{"start", "goal", "planners": [{"planner", "status", "cost",
 /// "length_cells", "length_m", "turning_degrees", "curvature_per_cell", "curvature_per_m",

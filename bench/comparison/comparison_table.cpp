@@ -11,7 +11,6 @@
 namespace wend {
 namespace {
 
-constexpr std::size_t kWidth = 80;
 constexpr std::size_t kLongestName = 24;
 
 /// A column of numbers, the best of them marked.
@@ -130,13 +129,14 @@ TextTable table_of(const ComparedQuery& query, const std::vector<Column>& column
 }
 
 /// Columns that do not fit go into further tables below.
-std::string tables_of(const ComparedQuery& query, const std::vector<Column>& columns) {
+std::string tables_of(const ComparedQuery& query, const std::vector<Column>& columns,
+                      std::size_t width) {
   std::string text;
   std::vector<Column> beside;
   for (const Column& column : columns) {
     std::vector<Column> wider = beside;
     wider.push_back(column);
-    if (!beside.empty() && table_of(query, wider).width() > kWidth) {
+    if (!beside.empty() && table_of(query, wider).width() > width) {
       text += table_of(query, beside).text() + "\n";
       wider = std::vector<Column>{column};
     }
@@ -160,13 +160,13 @@ std::string_view times_note() {
   return note;
 }
 
-std::string table_of_one(const Comparison& comparison) {
+std::string table_of_one(const Comparison& comparison, std::size_t width) {
   const ComparedQuery& query = comparison.queries.front();
   const std::vector<Column> paths = columns_of_one(comparison, true);
   const std::vector<Column> searches = columns_of_one(comparison, false);
   const bool marked = has_marks(paths) || has_marks(searches);
   std::string text =
-      tables_of(query, paths) + "\n" + tables_of(query, searches) + remarks_of(query);
+      tables_of(query, paths, width) + "\n" + tables_of(query, searches, width) + remarks_of(query);
   if (marked) text += "* best of its column\n";
   text += curvature_note();
   return text.append(times_note());
@@ -274,9 +274,10 @@ std::string table_of_many(const Comparison& comparison) {
 
 }  // namespace
 
-std::string comparison_table(const Comparison& comparison) {
+std::string comparison_table(const Comparison& comparison, std::size_t width) {
   if (comparison.queries.empty()) return "no queries\n";
-  return comparison.queries.size() == 1 ? table_of_one(comparison) : table_of_many(comparison);
+  return comparison.queries.size() == 1 ? table_of_one(comparison, width)
+                                        : table_of_many(comparison);
 }
 
 }  // namespace wend

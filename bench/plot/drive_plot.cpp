@@ -16,7 +16,7 @@ constexpr double kRoom = 1.06;  // of an axis, for what it shows
 // In pixels.
 constexpr double kDrivePanelHeight = 235;
 constexpr double kDriveRow = 285;  // from one panel to the next
-constexpr double kDriveBottom = 80;
+constexpr double kDriveBottom = 105;
 constexpr double kDriveLeft = 125;
 constexpr double kRight = 45;
 

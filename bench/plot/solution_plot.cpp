@@ -13,7 +13,7 @@ constexpr double kMarginOfCosts = 0.05;  // of the range of costs
 // In pixels.
 constexpr double kSolutionLeft = 125;
 constexpr double kSolutionRight = 45;
-constexpr double kSolutionBottom = 80;
+constexpr double kSolutionBottom = 105;
 constexpr double kSolutionHeight = 480;
 
 double lower_bound_of(const TimedSolution& solution) { return solution.cost / solution.bound; }
@@ -29,8 +29,7 @@ PlotAxis cost_axis(std::span<const TimedSolution> solutions) {
 
 std::string solution_plot(std::span<const TimedSolution> solutions, PlotKind kind,
                           const PlotColours& colours) {
-  PlotPage page(kind, colours, {"the best path", "no path costs less"},
-                kSolutionBottom + kSolutionHeight);
+  PlotPage page(kind, colours, {"the best path", "lower bound"}, kSolutionBottom + kSolutionHeight);
   page.put_page();
   page.put("$solutions << END\n");
   for (const TimedSolution& solution : solutions) {

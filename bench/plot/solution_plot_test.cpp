@@ -18,7 +18,7 @@ TEST(SolutionPlot, HasTheCostAndTheLowerBoundOfEachPath) {
   EXPECT_THAT(script, StartsWith("set encoding utf8\nset terminal svg "));
   EXPECT_THAT(script, HasSubstr("$solutions << END\n1 12 4\n2.5 10 8\n4 9 9\nEND\n"));
   for (const char* label :
-       {"'cost'", "'time of the search, ms'", "'the best path'", "'no path costs less'"}) {
+       {"'cost'", "'time of the search, ms'", "'the best path'", "'lower bound'"}) {
     EXPECT_THAT(script, HasSubstr(label));
   }
 }

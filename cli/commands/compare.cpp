@@ -25,7 +25,9 @@
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
-#include "cli/output/plan_text.hpp"
+#include "cli/output/terminal.hpp"
+#include "cli/watching/films.hpp"
+#include "cli/watching/watching.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -42,6 +44,7 @@ struct CompareArguments {
   LeewayArguments leeway;
   TableFormat format = TableFormat::text;
   StyleName style = StyleName::light;
+  std::optional<double> speed;
   OutputFiles output;
   std::string plot;
 };
@@ -51,6 +54,7 @@ constexpr std::uint64_t kMostQueries = 1'000'000;
 constexpr const char* kCompareExamples = R"(Examples:
   wend compare office.yaml --start 1,1 --goal 15,9
   wend compare office.yaml --start 1,1 --goal 15,9 -o compare.png
+  wend compare office.yaml --start 1,1 --goal 15,9 -o compare.gif
   wend compare grid.txt --start 0,0 --goal 9,9 --planner astar:w=2,bfs
   wend compare office.yaml --random 200 --planner astar,bfs --plot plots.png
   wend compare grid.txt --start 0,0,E --goal 9,9 --planner car,car:w=2
@@ -113,9 +117,7 @@ void check(const CompareArguments& arguments) {
   if (arguments.random > kMostQueries) {
     throw InputError(fmt::format("--random {}: at most {}", arguments.random, kMostQueries));
   }
-  const bool picture = std::ranges::any_of(picture_extensions(), [&](const std::string& extension) {
-    return arguments.output.any(extension);
-  });
+  const bool picture = arguments.output.any_picture();
   if (picture && arguments.random > 0) {
     throw InputError("-o with a picture supports one query only; for many queries use --plot");
   }
@@ -193,10 +195,7 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
 
 std::string caption_of(const ComparisonRow& row, const std::string& cost_name) {
   if (!row.found()) return fmt::format("{}, {} expanded", describe(row.status), row.expanded);
-  return fmt::format("{} {:.6g}, {} expanded\nfirst query {}, later {}\nprepared in {} ({})",
-                     cost_name, row.cost, row.expanded, time_text(row.times.first),
-                     time_text(row.times.later), time_text(row.times.preparation),
-                     thread_time_name());
+  return fmt::format("{} {:.6g}, {} expanded", cost_name, row.cost, row.expanded);
 }
 
 /// A panel for each planner: what it expanded for the first query, and its path.
@@ -216,12 +215,31 @@ std::vector<Panel> panels_of(const ComparisonRun& run, const CompareArguments& a
   return panels;
 }
 
+/// The searches of the first query beside each other.
+Expected<std::string, Error> film_of(const ComparisonRun& run, const CompareArguments& arguments,
+                                     const FreeSpace& space) {
+  const ComparedQuery& query = run.comparison().queries.front();
+  std::vector<SearchRecorder> recorders;
+  recorders.reserve(query.rows.size());
+  std::vector<FilmedSearch> searches;
+  for (std::size_t i = 0; i < query.rows.size(); ++i) {
+    recorders.push_back(run.record(i, 0));
+    Scene outcome = query_for(run.planners()[i], arguments, space)->scene();
+    outcome.path = run.path(i, 0);
+    searches.push_back({query.rows[i].planner, std::move(outcome), &recorders.back()});
+  }
+  return gif_of(searches, arguments.speed, style_of(arguments.style));
+}
+
 void write_files(const CompareArguments& arguments, const ComparisonRun& run,
                  const FreeSpace& space) {
   const Comparison& comparison = run.comparison();
   std::map<std::string, FileWriter> writers;
   if (arguments.random == 0)
     writers = picture_writers(panels_of(run, arguments, space), arguments.style);
+  writers[".gif"] = [&](const std::string& file) {
+    return write_picture(file, film_of(run, arguments, space));
+  };
   writers[".json"] = [&](const std::string& file) {
     return write_bytes(file, comparison_json(comparison));
   };
@@ -239,7 +257,7 @@ void write_files(const CompareArguments& arguments, const ComparisonRun& run,
 std::string text_of(const Comparison& comparison, TableFormat format) {
   switch (format) {
     case TableFormat::text:
-      return comparison_table(comparison);
+      return comparison_table(comparison, table_width(detect_screen()));
     case TableFormat::json:
       return comparison_json(comparison);
     case TableFormat::csv:
@@ -307,9 +325,12 @@ Command add_compare(Parser& app) {
   arguments->limits.add_to(compare);
   add_table_format(compare, arguments->format);
   add_style(compare, arguments->style, "Colours of pictures and plots (default light)");
-  arguments->output.add_to(compare, {".png", ".svg", ".pdf", ".json", ".csv"},
+  add_number(compare, "--speed", arguments->speed, kFilmSpeeds,
+             "Expansions per second of a .gif (default: a few seconds in total)");
+  arguments->output.add_to(compare, {".png", ".svg", ".pdf", ".gif", ".json", ".csv"},
                            "Also write a picture with a panel for each planner (.png, .svg, "
-                           ".pdf), or the table (.csv, .json); may be given several times");
+                           ".pdf), a film of the searches (.gif), or the table (.csv, .json); may "
+                           "be given several times");
   compare
       .add_option("--plot", arguments->plot,
                   wrapped("Plot time and expansions against path length, and their distributions, "
@@ -325,6 +346,9 @@ Command add_compare(Parser& app) {
               check_positive("--random", arguments->random);
             } else {
               refuse_idle(compare, {"--seed"}, "it needs --random N");
+            }
+            if (!arguments->output.any(".gif")) {
+              refuse_idle(compare, {"--speed"}, "it needs -o FILE.gif");
             }
             if (!arguments->output.any_picture() && arguments->plot.empty()) {
               refuse_idle(compare, {"--style"}, "there is no picture; add -o FILE.png");

@@ -90,14 +90,12 @@ class ExplainRun {
   NoPath why_;
 };
 
-constexpr int kColumns = 80;
-
 std::string ExplainRun::headline() const {
   const std::string text =
       why_.path_exists()
           ? fmt::format("there is a path from {} to {}", start_.text, goal_.text)
           : fmt::format("there is no path from start {} to goal {}", start_.text, goal_.text);
-  return folded(text, kColumns) + "\n";
+  return folded(text, detect_screen().columns) + "\n";
 }
 
 std::string ExplainRun::component(const Place& place, std::size_t cells) const {

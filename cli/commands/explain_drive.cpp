@@ -13,8 +13,6 @@
 namespace wend::cli {
 namespace {
 
-constexpr int kHeadlineColumns = 80;
-
 HybridAStarOptions options_of(const PlannerSpec& planner) {
   auto options = parse_options<HybridAStarOptions>(planner.options);
   if (!options) throw InputError(options.error().message);
@@ -59,9 +57,9 @@ std::string DriveAnswer::headline() const {
   const Ends ends = asked_->ends();
   const std::string between =
       fmt::format("from start {} to goal {}", ends.start.text, ends.goals[0].text);
-  if (drive_exists()) return folded("there is a drive " + between, kHeadlineColumns) + "\n";
+  if (drive_exists()) return folded("there is a drive " + between, detect_screen().columns) + "\n";
   const char* found = why_.certain ? "there is no drive " : "found no drive ";
-  return folded(found + between, kHeadlineColumns) + "\n";
+  return folded(found + between, detect_screen().columns) + "\n";
 }
 
 std::string DriveAnswer::narrowest() const {

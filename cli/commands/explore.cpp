@@ -145,7 +145,8 @@ void ExploreRun::write_files() const {
   std::map<std::string, FileWriter> writers =
       picture_writers({{report_.rows.front().planner, *scene_, {}}}, arguments_.pictures.style);
   writers[".gif"] = [&](const std::string& file) {
-    return write_picture(file, film_.gif(*scene_, style_of(arguments_.pictures.style)));
+    return write_picture(file, film_.gif(report_.rows.front().planner, *scene_,
+                                         style_of(arguments_.pictures.style)));
   };
   writers[".json"] = [&](const std::string& file) {
     return write_bytes(file, exploration_json(report_, map_.frame()));

@@ -187,7 +187,8 @@ void FollowRun::write_failure(const FailedPlan& plan, const Scene& scene) const 
   };
   writers[".csv"] = [&](const std::string& file) { return write_bytes(file, no_path_csv(plan)); };
   writers[".gif"] = [&](const std::string& file) {
-    return write_picture(file, gif_of(scene, style_of(arguments_.pictures.style)));
+    return write_picture(
+        file, gif_of("no path: " + plan.status, scene, style_of(arguments_.pictures.style)));
   };
   arguments_.output.write(writers, arguments_.format == Format::json ? ".json" : ".csv");
 }
@@ -284,8 +285,9 @@ void FollowRun::write_files() const {
     return write_bytes(file, drive_csv(drives_, frame));
   };
   writers[".gif"] = [&](const std::string& file) {
-    return write_picture(file, gif_of_drive(scene_of_path(), drives_.front().drive,
-                                            arguments_.speed, style_of(style)));
+    return write_picture(
+        file, gif_of_drive(drives_.front().controller, scene_of_path(), drives_.front().drive,
+                           arguments_.speed, style_of(style)));
   };
   arguments_.output.write(writers, arguments_.format == Format::json ? ".json" : ".csv");
   if (arguments_.plot.empty()) return;

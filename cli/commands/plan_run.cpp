@@ -420,8 +420,9 @@ std::vector<Panel> PlanRun::panels() const {
 Expected<std::string, Error> PlanRun::film() const {
   const Style style = style_of(arguments_.pictures.style);
   const bool searched = recorder_ && !recorder_->expansions().empty();
-  return searched ? gif_of(outcome(), *recorder_, arguments_.watch.speed, style)
-                  : gif_of(panels().front().scene, style);
+  if (!searched) return gif_of(panels().front().title, panels().front().scene, style);
+  const FilmedSearch search{spec_.name, outcome(), &*recorder_};
+  return gif_of(std::span(&search, 1), arguments_.watch.speed, style);
 }
 
 /// Every file is replaced, also where there is no path: what an earlier command left there is not to

@@ -23,9 +23,10 @@ Hints command_line_hints() {
 }
 
 std::string explanation_line(std::string_view name, const std::string& what) {
-  constexpr int kColumns = 80;
   constexpr int kNameColumns = 18;
-  return folded(fmt::format("{:<{}}{}", name, kNameColumns, what), kColumns, kNameColumns) + "\n";
+  return folded(fmt::format("{:<{}}{}", name, kNameColumns, what), detect_screen().columns,
+                kNameColumns) +
+         "\n";
 }
 
 Explainer explainer_for(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves) {

@@ -14,7 +14,7 @@ namespace wend::cli {
 /// What explanations call the options of the command line.
 Hints command_line_hints();
 
-/// "widest path       robot with a radius ...", folded at 80 columns with a hanging indent.
+/// "widest path       robot with a radius ...", folded at the width of the terminal (80 columns elsewhere) with a hanging indent.
 std::string explanation_line(std::string_view name, const std::string& what);
 
 /// Explains in the user's units, for a planner that moves so.

@@ -110,8 +110,8 @@ std::string picture(const Scene& scene, const Screen& screen, const PictureArgum
 std::string picture_above(const std::string& text, const Scene& scene, const Screen& screen,
                           const PictureArguments& arguments) {
   if (is_small(scene, screen)) return picture(scene, screen, arguments) + text;
-  const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-  const int rows = std::max(screen.rows - lines - kRowsForPrompt, kRowsWorthSeeing);
+  const int rows = std::max(screen.rows - rows_on_screen(text, screen.columns) - kRowsForPrompt,
+                            kRowsWorthSeeing);
   return large_picture(scene, screen, arguments, rows) + text;
 }
 

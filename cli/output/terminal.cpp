@@ -72,6 +72,10 @@ bool has_pixels(const Terminal& terminal) {
          terminal.graphics == TerminalGraphics::sixel;
 }
 
+std::size_t table_width(const Screen& screen) {
+  return static_cast<std::size_t>(std::max(screen.columns, kUsualColumns));
+}
+
 bool progress_is_seen() { return isatty(STDERR_FILENO) != 0; }
 
 int columns_of(std::string_view line) {
@@ -122,6 +126,14 @@ std::string folded_grid(std::string_view grid, int columns_a_cell, int columns) 
     }
   }
   return text;
+}
+
+int rows_on_screen(std::string_view text, int columns) {
+  int rows = 0;
+  for (const std::string& line : lines_of(text)) {
+    rows += std::max(1, (columns_of(line) + columns - 1) / columns);
+  }
+  return rows;
 }
 
 int columns_of_all(std::string_view text) { return columns_of_lines(lines_of(text)); }

@@ -2,6 +2,7 @@
 
 // The output of the program: whether it is a terminal, and its size.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,9 +11,11 @@
 
 namespace wend::cli {
 
+inline constexpr int kUsualColumns = 80;
+
 struct Screen {
   bool is_terminal = false;
-  int columns = 80;  // the usual width if it is not a terminal
+  int columns = kUsualColumns;  // if it is not a terminal
   int rows = 60;
   Terminal terminal;  // ASCII without colours if the output is not a terminal
 };
@@ -22,6 +25,9 @@ Screen detect_screen();
 
 /// Does it draw pictures in pixels, over which it cannot write text?
 bool has_pixels(const Terminal& terminal);
+
+/// For tables: the terminal's width, but no less than what all of them fit into.
+std::size_t table_width(const Screen& screen);
 
 /// Is somebody watching standard error?
 bool progress_is_seen();
@@ -36,6 +42,9 @@ std::string folded(std::string_view text, int columns, int indent = 0);
 /// An aligned grid of cells without colours, each `columns_a_cell` wide with the blank before it. A grid
 /// wider than `columns` is split into bands below each other; a line above each names its cells.
 std::string folded_grid(std::string_view grid, int columns_a_cell, int columns);
+
+/// The rows that the text takes on a screen that breaks longer lines.
+int rows_on_screen(std::string_view text, int columns);
 
 /// The number of columns of the widest line.
 int columns_of_all(std::string_view text);

@@ -1,10 +1,10 @@
 #include "cli/watching/exploration_film.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "cli/watching/films.hpp"
-#include "wend/render/animation/gif.hpp"
-#include "wend/render/picture/drawing.hpp"
 
 namespace wend::cli {
 namespace {
@@ -19,6 +19,10 @@ std::vector<Point> centres_of(std::span<const Cell> cells) {
   std::vector<Point> points;
   for (const Cell cell : cells) points.push_back(centre_of(cell));
   return points;
+}
+
+std::string steps_in_words(std::size_t steps) {
+  return fmt::format("{} {}", steps, steps == 1 ? "step" : "steps");
 }
 
 }  // namespace
@@ -43,20 +47,21 @@ void ExplorationFilm::take(const Explorer& explorer) {
   stride_ *= 2;
 }
 
-Expected<std::string, Error> ExplorationFilm::gif(const Scene& last, const Style& style) const {
-  const auto pixels_of = [&](const Scene& scene) {
-    return draw_pixels(scene, kFilmWidth, kFilmHeight, style);
+Expected<std::string, Error> ExplorationFilm::gif(const std::string& planner, const Scene& last,
+                                                  const Style& style) const {
+  const auto panels_at = [&](std::size_t frame) {
+    if (frame == frames_.size()) {
+      return std::vector<FilmPanel>{{planner, steps_in_words(steps_), last}};
+    }
+    return std::vector<FilmPanel>{{planner, steps_in_words(1 + frame * stride_), frames_[frame]}};
   };
-  const Grid<std::uint32_t> end = pixels_of(last);
-  std::vector<Grid<std::uint32_t>> samples{end};
-  if (!frames_.empty()) {
-    samples.push_back(pixels_of(frames_.front()));
-    samples.push_back(pixels_of(frames_[frames_.size() / 2]));
-  }
-  GifAnimation animation(end.width(), end.height(), palette_of(samples));
-  for (const Scene& frame : frames_) animation.add(pixels_of(frame), kStepHundredths);
-  animation.add(end, kArrivalHundredths);
-  return animation.finish();
+  return gif_of_frames({.frames = frames_.size() + 1,
+                        .panels_at = panels_at,
+                        .hundredths = kStepHundredths,
+                        .last_hundredths = kArrivalHundredths,
+                        .width = kFilmWidth,
+                        .height = kFilmHeight},
+                       style);
 }
 
 }  // namespace wend::cli

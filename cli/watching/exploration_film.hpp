@@ -25,7 +25,8 @@ class ExplorationFilm {
   void take(const Explorer& explorer);
 
   /// All of it as a GIF, which ends with this scene.
-  Expected<std::string, Error> gif(const Scene& last, const Style& style) const;
+  Expected<std::string, Error> gif(const std::string& planner, const Scene& last,
+                                   const Style& style) const;
 
  private:
   std::vector<Scene> frames_;

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "cli/interrupt.hpp"
@@ -17,7 +19,7 @@
 #include "cli/watching/narrator.hpp"
 #include "wend/analysis/layer.hpp"
 #include "wend/render/animation/gif.hpp"
-#include "wend/render/picture/drawing.hpp"
+#include "wend/render/legend.hpp"
 
 namespace wend::cli {
 namespace {
@@ -28,6 +30,8 @@ constexpr int kRowsBelow = 9;                    // for the summary, and the pro
 constexpr std::size_t kMostGifFrames = 400;
 constexpr int kGifWidth = 800;  // pixels at most
 constexpr int kGifHeight = 640;
+constexpr int kWideGif = 1200;  // of several searches
+constexpr int kHighGif = 900;
 constexpr int kFrameHundredths = 100 / kFramesPerSecond;
 constexpr int kOutcomeHundredths = 250;
 constexpr std::size_t kPaletteSamples = 4;
@@ -75,6 +79,26 @@ Scene scene_at(Scene scene, const Drive& drive, std::size_t sample) {
 }
 
 }  // namespace
+
+Expected<std::string, Error> gif_of_frames(const Film& film, const Style& style) {
+  const std::size_t last = film.frames - 1;
+  std::vector<std::size_t> sampled{last};
+  for (std::size_t i = 0; i < kPaletteSamples; ++i) sampled.push_back(last * i / kPaletteSamples);
+  std::vector<Scene> scenes;
+  for (const std::size_t frame : sampled) {
+    for (FilmPanel& panel : film.panels_at(frame)) scenes.push_back(std::move(panel.scene));
+  }
+  FilmCanvas canvas(film.panels_at(last), legend_of(scenes, style), film.width, film.height, style);
+  std::vector<Grid<std::uint32_t>> samples;
+  for (const std::size_t frame : sampled) samples.push_back(canvas.draw(film.panels_at(frame)));
+  if (samples.front().empty()) return failure(Status::memory_limit, "not enough memory for a film");
+  GifAnimation animation(samples.front().width(), samples.front().height(), palette_of(samples));
+  for (std::size_t frame = 0; frame < last; ++frame) {
+    animation.add(canvas.draw(film.panels_at(frame)), film.hundredths);
+  }
+  animation.add(samples.front(), film.last_hundredths);
+  return animation.finish();
+}
 
 Scene with_snapshot(Scene scene, const SearchSnapshot& snapshot) {
   scene.marked = {{CellRole::expanded, snapshot.expanded}, {CellRole::frontier, snapshot.frontier}};
@@ -133,53 +157,67 @@ void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& sc
   display.show(frame(with_snapshot(outcome, recorder.snapshot())));
 }
 
-Expected<std::string, Error> gif_of(const Scene& outcome, const SearchRecorder& recorder,
+Expected<std::string, Error> gif_of(std::span<const FilmedSearch> searches,
                                     std::optional<double> speed, const Style& style) {
-  const Scene base = without_path(outcome);
-  const auto pixels_after = [&](std::size_t expansions) {
-    return draw_pixels(scene_after(base, recorder, expansions), kGifWidth, kGifHeight, style);
+  std::size_t total = 0;
+  for (const FilmedSearch& search : searches) {
+    total = std::max(total, search.recorder->expansions().size());
+  }
+  const std::vector<std::size_t> times = frame_times(total, speed, kMostGifFrames);
+  const auto panels_at = [&](std::size_t frame) {
+    std::vector<FilmPanel> panels;
+    for (const FilmedSearch& search : searches) {
+      // The last picture shows the outcomes; that of a search which ends earlier is shown from then on.
+      const std::size_t all = search.recorder->expansions().size();
+      const std::size_t expansions = std::min(frame < times.size() ? times[frame] : total, all);
+      const bool ended = frame >= times.size() || (expansions == all && all < total);
+      panels.push_back({search.name, fmt::format("{} expanded", expansions),
+                        scene_after(ended ? search.outcome : without_path(search.outcome),
+                                    *search.recorder, expansions)});
+    }
+    return panels;
   };
-  const std::size_t total = recorder.expansions().size();
-  const Grid<std::uint32_t> last =
-      draw_pixels(scene_after(outcome, recorder, total), kGifWidth, kGifHeight, style);
-  std::vector<Grid<std::uint32_t>> samples{last};
-  for (std::size_t i = 0; i < kPaletteSamples; ++i) {
-    samples.push_back(pixels_after(total * i / kPaletteSamples));
-  }
-  GifAnimation animation(last.width(), last.height(), palette_of(samples));
-  for (const std::size_t expansions : frame_times(total, speed, kMostGifFrames)) {
-    animation.add(pixels_after(expansions), kFrameHundredths);
-  }
-  animation.add(last, kOutcomeHundredths);
-  return animation.finish();
+  const bool alone = searches.size() == 1;
+  return gif_of_frames({.frames = times.size() + 1,
+                        .panels_at = panels_at,
+                        .hundredths = kFrameHundredths,
+                        .last_hundredths = kOutcomeHundredths,
+                        .width = alone ? kGifWidth : kWideGif,
+                        .height = alone ? kGifHeight : kHighGif},
+                       style);
 }
 
-Expected<std::string, Error> gif_of(const Scene& scene, const Style& style) {
-  const Grid<std::uint32_t> pixels = draw_pixels(scene, kGifWidth, kGifHeight, style);
-  GifAnimation animation(pixels.width(), pixels.height(), palette_of(std::span(&pixels, 1)));
-  animation.add(pixels, kOutcomeHundredths);
-  return animation.finish();
+Expected<std::string, Error> gif_of(const std::string& title, const Scene& scene,
+                                    const Style& style) {
+  return gif_of_frames(
+      {.frames = 1,
+       .panels_at = [&](std::size_t) { return std::vector<FilmPanel>{{title, "", scene}}; },
+       .hundredths = kOutcomeHundredths,
+       .last_hundredths = kOutcomeHundredths,
+       .width = kGifWidth,
+       .height = kGifHeight},
+      style);
 }
 
-Expected<std::string, Error> gif_of_drive(const Scene& scene, const Drive& drive,
-                                          std::optional<double> speed, const Style& style) {
-  const auto pixels_at = [&](const Scene& base, std::size_t sample) {
-    return draw_pixels(scene_at(base, drive, sample), kFrameWidth, kHeight, style,
-                       PixelLegend::below);
-  };
-  const std::size_t last = drive.samples.size() - 1;
+Expected<std::string, Error> gif_of_drive(const std::string& controller, const Scene& scene,
+                                          const Drive& drive, std::optional<double> speed,
+                                          const Style& style) {
   Scene outcome = scene;
   outcome.collision = drive.first_collision;
-  // Their legends must be equally high.
-  const Grid<std::uint32_t> end = pixels_at(outcome, last);
-  const std::vector<Grid<std::uint32_t>> samples{end, pixels_at(outcome, 0),
-                                                 pixels_at(outcome, last / 2)};
-  GifAnimation animation(end.width(), end.height(), palette_of(samples));
-  for (const std::size_t sample : frames_of(drive, speed)) {
-    animation.add(pixels_at(outcome, sample), kDriveFrameHundredths);
-  }
-  animation.add(end, kDriveOutcomeHundredths);
-  return animation.finish();
+  std::vector<std::size_t> frames = frames_of(drive, speed);
+  frames.push_back(drive.samples.size() - 1);
+  const auto panels_at = [&](std::size_t frame) {
+    const std::size_t sample = frames[frame];
+    return std::vector<FilmPanel>{{controller, fmt::format("{:.1f} s", drive.samples[sample].time),
+                                   scene_at(outcome, drive, sample)}};
+  };
+  return gif_of_frames({.frames = frames.size(),
+                        .panels_at = panels_at,
+                        .hundredths = kDriveFrameHundredths,
+                        .last_hundredths = kDriveOutcomeHundredths,
+                        .width = kFrameWidth,
+                        .height = kHeight},
+                       style);
 }
 
 }  // namespace wend::cli

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "cli/output/terminal.hpp"
 
@@ -12,8 +15,9 @@ namespace wend::cli {
 namespace {
 
 constexpr int kFewestFrameRows = 6;  // of a picture that still shows something
-constexpr int kTitleRows = 1;
-constexpr int kFewestColumns = 30;                       // of a picture that still shows something
+constexpr int kFewestPictureRows = 2;
+constexpr double kLargeCell = 4;    // half characters: larger than a cell as text
+constexpr int kFewestColumns = 30;  // of a picture that still shows something
 constexpr std::array<int, 4> kRowsBeside{15, 12, 9, 6};  // the first of them that there is room for
 
 int rows_of(const std::string& text) {
@@ -68,39 +72,120 @@ std::optional<std::string> as_text(const Scene& scene, const std::vector<Layer>&
   return std::nullopt;
 }
 
-/// As pictures below each other, as many as there is room for.
+/// What is drawn for one layer, or for the map.
+struct ShownPicture {
+  std::string title;  // a line, or empty
+  Scene scene;
+};
+
+std::vector<ShownPicture> pictures_of(const Scene& scene, const std::vector<Layer>& layers) {
+  std::vector<ShownPicture> pictures{{{}, scene}};
+  for (const Layer& layer : layers) {
+    Scene shown = with_layer(without_marks(scene), layer);
+    // The legend has the title of a heatmap.
+    const std::string title = layer_title(layer.kind, scene.space.map().frame()) + "\n";
+    pictures.push_back({shown.heatmap ? "" : title, std::move(shown)});
+  }
+  return pictures;
+}
+
+std::string text_below(const ShownPicture& picture, const Screen& screen, StyleName style) {
+  return terminal_legend(picture.scene, screen.columns, screen.terminal, style_of(style));
+}
+
+/// A title, the picture and its legend.
+std::string drawn(const ShownPicture& picture, const Screen& screen, StyleName style, int rows) {
+  const std::string legend = text_below(picture, screen, style);
+  const int room = std::max(rows - rows_of(picture.title + legend), kFewestPictureRows);
+  return picture.title +
+         terminal_picture(picture.scene, screen.columns, room, screen.terminal, style_of(style)) +
+         legend;
+}
+
+/// How large a cell is drawn in that room: in half characters, or in the like of them.
+double cell_size(const ShownPicture& picture, const Screen& screen, StyleName style, int rows) {
+  const int room = rows - rows_of(picture.title + text_below(picture, screen, style));
+  const double size =
+      std::min(static_cast<double>(screen.columns) / picture.scene.space.width(),
+               2.0 * std::max(room, kFewestPictureRows) / picture.scene.space.height());
+  return size < 1 ? size : std::floor(size);
+}
+
+/// Some of the pictures, so many beside each other.
+struct Arrangement {
+  std::size_t shown = 1;
+  int across = 1;
+  double cell = 0;  // its size
+
+  int rows_each(int rows) const { return rows / ((static_cast<int>(shown) + across - 1) / across); }
+
+  Screen screen_each(Screen screen) const {
+    screen.columns = (screen.columns - (across - 1) * kGapBetweenBlocks) / across;
+    return screen;
+  }
+};
+
+/// The arrangement with the largest cells of as many pictures as there is room for. Pixels leave no room beside them.
+Arrangement arranged(const std::vector<ShownPicture>& pictures, const Screen& screen,
+                     StyleName style, int rows) {
+  for (std::size_t shown = pictures.size(); shown > 0; --shown) {
+    Arrangement best{shown};
+    const int widest = has_pixels(screen.terminal) ? 1 : static_cast<int>(shown);
+    for (int across = 1; across <= widest; ++across) {
+      Arrangement tried{shown, across};
+      const Screen each = tried.screen_each(screen);
+      if (shown > 1 && tried.rows_each(rows) < kFewestFrameRows) continue;
+      if (across > 1 && each.columns < kFewestColumns) continue;
+      tried.cell = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < shown; ++i) {
+        const bool narrow = columns_of_all(text_below(pictures[i], each, style)) <= each.columns;
+        if (across > 1 && !narrow) tried.cell = 0;
+        tried.cell =
+            std::min(tried.cell, cell_size(pictures[i], each, style, tried.rows_each(rows)));
+      }
+      if (tried.cell > best.cell) best = tried;
+    }
+    if (best.cell > 0) return best;
+  }
+  return {};
+}
+
+/// All of it as pictures, in at most that many rows unless there are very few.
 std::string as_pictures(const Scene& scene, const std::vector<Layer>& layers, const Screen& screen,
                         StyleName style, int rows) {
-  const PictureArguments always{PictureWhen::always, style};
-  const auto room = static_cast<std::size_t>(std::max(1, rows / kFewestFrameRows));
-  const std::size_t shown = std::min(layers.size(), room - 1);
-  const std::string note = left_out(layers, shown);
-  const int each = (rows - rows_of(note)) / (static_cast<int>(shown) + 1);
-  std::string text = large_picture(scene, screen, always, each);
-  for (std::size_t i = 0; i < shown; ++i) {
-    text += layer_title(layers[i].kind, scene.space.map().frame()) + "\n";
-    text += large_picture(with_layer(without_marks(scene), layers[i]), screen, always,
-                          each - kTitleRows);
+  const std::vector<ShownPicture> pictures = pictures_of(scene, layers);
+  Arrangement way = arranged(pictures, screen, style, rows);
+  if (way.shown < pictures.size()) way = arranged(pictures, screen, style, --rows);  // for the note
+  const Screen each = way.screen_each(screen);
+  std::vector<std::string> blocks;
+  for (std::size_t i = 0; i < way.shown; ++i) {
+    blocks.push_back(drawn(pictures[i], each, style, way.rows_each(rows)));
   }
+  const std::string note = left_out(layers, way.shown - 1);
+  if (way.across > 1) return side_by_side(blocks, screen.columns) + note;
+  std::string text;
+  for (const std::string& block : blocks) text += block;
   return text + note;
 }
 
-/// The same with what stands beside the map. Pixels leave no room beside them.
+/// The same with what stands beside the map, or below it if cells are larger then.
 std::string as_pictures(const Scene& scene, const std::vector<Layer>& layers, const Screen& screen,
                         StyleName style, int rows, const BesideMap& beside) {
+  const std::vector<ShownPicture> pictures = pictures_of(scene, layers);
+  const std::string below = beside(std::max(kRowsBeside.back(), rows / 3));
+  const int rows_above = rows - rows_of(below);
   const std::string block = beside(rows);
-  const int columns = screen.columns - columns_of_all(block) - kGapBetweenBlocks;
-  if (columns >= kFewestColumns && !has_pixels(screen.terminal)) {
-    Screen narrower = screen;
-    narrower.columns = columns;
-    const std::string pictures = as_pictures(scene, layers, narrower, style, rows);
-    // An entry of a legend may be wider.
-    if (columns_of_all(pictures) <= columns) {
-      return side_by_side({pictures, block}, screen.columns);
+  Screen narrower = screen;
+  narrower.columns = screen.columns - columns_of_all(block) - kGapBetweenBlocks;
+  if (narrower.columns >= kFewestColumns && !has_pixels(screen.terminal)) {
+    const Arrangement narrow = arranged(pictures, narrower, style, rows);
+    const Arrangement wide = arranged(pictures, screen, style, rows_above);
+    if (narrow.shown >= wide.shown && narrow.cell >= wide.cell) {
+      return side_by_side({as_pictures(scene, layers, narrower, style, rows), block},
+                          screen.columns);
     }
   }
-  const std::string below = beside(rows - kFewestFrameRows);
-  return as_pictures(scene, layers, screen, style, rows - rows_of(below)) + below;
+  return as_pictures(scene, layers, screen, style, rows_above) + below;
 }
 
 /// Where there is room for everything.
@@ -121,7 +206,12 @@ std::string frame_text(const Scene& scene, const std::vector<Layer>& layers, con
                        StyleName style, int rows_below, const BesideMap& beside) {
   if (!screen.is_terminal) return as_long_text(scene, layers, screen, style, beside);
   const int rows = screen.rows - rows_below;
-  if (auto text = as_text(scene, layers, screen, style, rows, beside)) return *std::move(text);
+  const bool enlarged =
+      layers.empty() && !screen.terminal.plain() &&
+      arranged(pictures_of(scene, {}), screen, style, rows / 2).cell >= kLargeCell;
+  if (!enlarged) {
+    if (auto text = as_text(scene, layers, screen, style, rows, beside)) return *std::move(text);
+  }
   return beside ? as_pictures(scene, layers, screen, style, rows, beside)
                 : as_pictures(scene, layers, screen, style, rows);
 }

@@ -75,6 +75,27 @@ std::string grid_text(Scene scene, const Layer& layer, TerminalColours colours,
   return text_numbers(scene, colours, style);
 }
 
+/// One panel with g, h and f in every cell, as on a blackboard, where these three are shown and cells are large enough.
+std::optional<Panel> board_panel(const Scene& scene, const std::vector<Layer>& layers) {
+  constexpr int kMostCells = 32;  // across and down
+  const Frame& frame = scene.space.map().frame();
+  const auto heatmap = [&](LayerKind kind) -> std::optional<Heatmap> {
+    const auto layer = std::ranges::find(layers, kind, &Layer::kind);
+    if (layer == layers.end() || layer->numbers.empty()) return std::nullopt;
+    return heatmap_of(*layer, frame);
+  };
+  const auto g = heatmap(LayerKind::g);
+  const auto h = heatmap(LayerKind::heuristic);
+  auto f = heatmap(LayerKind::f);
+  if (!g || !h || !f || layers.size() != 3) return std::nullopt;
+  if (std::max(scene.space.width(), scene.space.height()) > kMostCells) return std::nullopt;
+  const std::string unit = frame.metric ? " in m" : "";
+  Panel panel{"In every cell, from the top: g, h and f" + unit, scene, {}};
+  panel.scene.numbers_above = {g->values, h->values};
+  panel.scene.heatmap = std::move(f);
+  return panel;
+}
+
 }  // namespace
 
 std::string layer_title(LayerKind kind, const Frame& frame) {
@@ -162,6 +183,7 @@ std::string layer_text(const Scene& scene, const Layer& layer, const Screen& scr
 }
 
 std::vector<Panel> layer_panels(const Scene& scene, const std::vector<Layer>& layers) {
+  if (auto board = board_panel(scene, layers)) return {*std::move(board)};
   std::vector<Panel> panels;
   panels.reserve(layers.size());
   for (const Layer& layer : layers) {

@@ -11,7 +11,6 @@
 namespace wend::cli {
 namespace {
 
-constexpr NumberRange kSpeeds{0.1, 1e9, "expansions per second"};
 constexpr const char* kGroup = "Watching the search";
 
 bool ends_in(std::string_view text, std::string_view end) {
@@ -34,9 +33,9 @@ void WatchArguments::add_to(Parser& app) {
       .group(kGroup);
   app.add_flag("--step", step,
                wrapped("Show the search and its open list after each expansion and wait for a key; "
-                       "keys step forwards and backwards"));
+                         "keys step forwards and backwards"));
   app.add_flag("--animate", animate, wrapped("Play the search on the terminal"));
-  add_number(app, "--speed", speed, kSpeeds,
+  add_number(app, "--speed", speed, kFilmSpeeds,
              "Expansions per second of --animate and of a .gif (default: a few seconds in total)")
       .group(kGroup);
   app.add_option("--trace", trace,

@@ -6,11 +6,14 @@
 #include <optional>
 #include <string>
 
+#include "cli/arguments/flags.hpp"
 #include "cli/arguments/parser.hpp"
 #include "cli/output/terminal.hpp"
 #include "wend/report/posthoc_trace.hpp"
 
 namespace wend::cli {
+
+inline constexpr NumberRange kFilmSpeeds{0.1, 1e9, "expansions per second"};
 
 struct WatchArguments {
   bool verbose = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "wend/render/terminal/glyphs.hpp"
 
@@ -124,6 +125,18 @@ std::vector<LegendItem> legend_of(const Scene& scene, const Style& wanted) {
                      Stripes{style.of(role), style.stripe(kTypicallyRough)}});
   }
   add_cells(scene, style, items);
+  return items;
+}
+
+std::vector<LegendItem> legend_of(std::span<const Scene> scenes, const Style& style) {
+  std::vector<LegendItem> items;
+  for (const Scene& scene : scenes) {
+    for (LegendItem& item : legend_of(scene, style)) {
+      if (std::ranges::find(items, item) != items.end()) continue;
+      const auto place = std::ranges::upper_bound(items, item.swatch, {}, &LegendItem::swatch);
+      items.insert(place, std::move(item));
+    }
+  }
   return items;
 }
 

@@ -4,6 +4,7 @@
 // it below the map, terminals print it.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,5 +54,8 @@ struct LegendItem {
 
 /// In the order of their swatches. O(cells).
 std::vector<LegendItem> legend_of(const Scene& scene, const Style& style);
+
+/// What several scenes show, each entry once, in the same order. O(cells of all).
+std::vector<LegendItem> legend_of(std::span<const Scene> scenes, const Style& style);
 
 }  // namespace wend

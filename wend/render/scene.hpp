@@ -107,6 +107,8 @@ struct Scene {
   std::vector<ScenePlace> goals{};
   std::vector<MarkedCells> marked{};  // later ones over earlier ones
   std::optional<Heatmap> heatmap{};   // under the marked cells
+  /// Numbers that pictures write into the cells above those of the heatmap, from the top, where cells are large enough.
+  std::vector<Grid<double>> numbers_above{};
   /// Of a search over poses: drawn in the heatmap's colours by their order, from 1, and its cells are not. Text pictures
   /// show its cells.
   MotionTree motions{};

@@ -77,11 +77,15 @@ Style print() {
 // A wall one cell wide must not fade away where eight cells share a pixel.
 constexpr double kObstacleWeight = 3;
 constexpr double kRoleWeight = 2;
+constexpr double kFrontierWeight = 4;  // a thin rim
 
 // The one cell that is expanded now shows among hundreds.
 constexpr double kCurrentWeight = 40;
 
-double weight_of(CellRole role) { return role == CellRole::current ? kCurrentWeight : kRoleWeight; }
+double weight_of(CellRole role) {
+  if (role == CellRole::frontier) return kFrontierWeight;
+  return role == CellRole::current ? kCurrentWeight : kRoleWeight;
+}
 
 // Only an assertion asks.
 [[maybe_unused]] bool fits(const Scene& scene) {
@@ -97,7 +101,7 @@ double weight_of(CellRole role) { return role == CellRole::current ? kCurrentWei
 
 std::uint32_t rgb_of(const Colour& colour) {
   const auto byte = [](double part) {
-    return static_cast<std::uint32_t>(std::lround(std::clamp(part, 0.0, 1.0) * 255));
+    return static_cast<std::uint32_t>(std::clamp(part, 0.0, 1.0) * 255 + 0.5);
   };
   return byte(colour.red) << 16U | byte(colour.green) << 8U | byte(colour.blue);
 }

@@ -152,6 +152,10 @@ class CellPaints {
 
   Paint operator[](Cell cell) const;
 
+  bool is_obstacle(Cell cell) const {
+    return scene_.space.map().state(cell) == CellState::occupied;
+  }
+
   /// How rough ground shows where it needs stripes: under a role, or everywhere in a style that has
   /// greys alone.
   std::optional<Stripes> stripes(Cell cell) const;

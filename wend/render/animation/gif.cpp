@@ -107,6 +107,7 @@ class GifAnimation::Writer {
         written_(width, height),
         shown_(width, height),
         next_(width, height),
+        pixels_(width, height),
         file_(EGifOpen(&bytes_, append_bytes, &error_)) {
     if (file_ != nullptr) write_head();
   }
@@ -115,7 +116,7 @@ class GifAnimation::Writer {
   int height() const { return shown_.height(); }
 
   void add(const Grid<std::uint32_t>& pixels, int centiseconds) {
-    for (const Cell pixel : every_cell(pixels)) next_[pixel] = colours_[pixels[pixel]];
+    for (int y = 0; y < pixels.height(); ++y) take_row(pixels.row(y), y);
     if (state_ == State::empty || shown_ != next_) {
       write_shown();
       std::swap(shown_, next_);
@@ -136,6 +137,19 @@ class GifAnimation::Writer {
 
  private:
   enum class State { empty, first_shown, others_shown };
+
+  /// Into the next frame. Most rows of most frames are those of the frame before.
+  void take_row(std::span<const std::uint32_t> row, int y) {
+    if (state_ != State::empty && std::ranges::equal(row, pixels_.row(y))) {
+      std::ranges::copy(shown_.row(y), next_.row(y).begin());
+      return;
+    }
+    std::ranges::copy(row, pixels_.row(y).begin());
+    const auto indices = next_.row(y);
+    for (std::size_t x = 0; x < row.size(); ++x) {
+      indices[x] = x > 0 && row[x] == row[x - 1] ? indices[x - 1] : colours_[row[x]];
+    }
+  }
 
   void check(int result) {
     if (result == GIF_ERROR && error_ == 0) error_ = file_->Error;
@@ -217,6 +231,7 @@ class GifAnimation::Writer {
   Grid<Index> written_;  // what viewers show after the last frame that was written
   Grid<Index> shown_;    // the frame whose time is not over
   Grid<Index> next_;
+  Grid<std::uint32_t> pixels_;  // of the frame that was added last
   State state_ = State::empty;
   std::int64_t delay_ = 0;
   int error_ = 0;

@@ -6,7 +6,7 @@
 //   for (const auto& frame : frames) animation.add(frame, 10);
 //   const auto bytes = animation.finish();
 //
-// Frames are written as they come and none is kept: memory is three bytes a pixel and what the
+// Frames are written as they come and none is kept: memory is seven bytes a pixel and what the
 // file takes so far. After the first frame only the rectangle that changes is stored, and in it the
 // pixels that stay as they are cost next to nothing. A frame equal to the one before makes that one
 // stay longer.

@@ -63,9 +63,18 @@ CairoSurface image_of(const Grid<std::uint32_t>& pixels) {
 
 Grid<std::uint32_t> pixels_of(cairo_surface_t* image) {
   if (cairo_surface_status(image) != CAIRO_STATUS_SUCCESS) return {};
-  cairo_surface_flush(image);
   Grid<std::uint32_t> pixels(cairo_image_surface_get_width(image),
                              cairo_image_surface_get_height(image));
+  copy_pixels(image, pixels);
+  return pixels;
+}
+
+void copy_pixels(cairo_surface_t* image, Grid<std::uint32_t>& pixels) {
+  if (cairo_surface_status(image) != CAIRO_STATUS_SUCCESS) {
+    pixels = {};
+    return;
+  }
+  cairo_surface_flush(image);
   const unsigned char* bytes = cairo_image_surface_get_data(image);
   for (int y = 0; y < pixels.height(); ++y) {
     const auto row = pixels.row(y);
@@ -73,7 +82,6 @@ Grid<std::uint32_t> pixels_of(cairo_surface_t* image) {
     for (std::uint32_t& pixel : row) pixel &= 0xFFFFFFU;
     bytes += cairo_image_surface_get_stride(image);
   }
-  return pixels;
 }
 
 Expected<std::string, Error> drawn_file(PictureKind kind, int width, int height, const Colour& page,

@@ -39,6 +39,9 @@ CairoSurface image_of(const Grid<std::uint32_t>& pixels);
 /// The pixels of an RGB24 image as 0xRRGGBB; empty if the image has an error.
 Grid<std::uint32_t> pixels_of(cairo_surface_t* image);
 
+/// The same into a grid as large as the image; it becomes empty if the image has an error.
+void copy_pixels(cairo_surface_t* image, Grid<std::uint32_t>& pixels);
+
 /// The bytes of a file of any kind, the same for the same drawing. `draw` gets a context of that
 /// many pixels, filled with the page's colour.
 Expected<std::string, Error> drawn_file(PictureKind kind, int width, int height, const Colour& page,

@@ -13,7 +13,9 @@ namespace {
 // Numbers.
 constexpr double kFrom = 30;            // pixels a cell
 constexpr double kShareOfWidth = 0.86;  // of a cell, for the longest number
-constexpr double kSmallest = 9;         // font sizes
+constexpr double kShareOfHeight = 0.8;  // of a cell, for several lines
+constexpr double kLines = 0.92;  // of a cell, from the top of the first to the bottom of the last
+constexpr double kSmallest = 9;  // font sizes
 constexpr double kLargest = 22;
 
 // Arrows.
@@ -28,13 +30,32 @@ constexpr double kDot = 9;           // pixels across
 constexpr double kRim = 1.25;        // pixels
 constexpr double kMostShare = 0.05;  // of the picture that dots may cover
 
-/// The largest size in which that many digits fit across a cell; nothing if it is not readable.
-std::optional<double> font_size(cairo_t* context, const NumberText& text, double scale) {
-  if (scale < kFrom || text.columns() == 0) return std::nullopt;
+/// From the top of a cell; the last ones are the heatmap's, if there is one.
+std::vector<const Grid<double>*> numbers_of(const Scene& scene) {
+  std::vector<const Grid<double>*> numbers;
+  if (!scene.heatmap) return numbers;
+  for (const Grid<double>& above : scene.numbers_above) numbers.push_back(&above);
+  numbers.push_back(&scene.heatmap->values);
+  return numbers;
+}
+
+std::vector<NumberText> texts_of(const std::vector<const Grid<double>*>& numbers) {
+  std::vector<NumberText> texts;
+  for (const Grid<double>* values : numbers) texts.emplace_back(*values);
+  return texts;
+}
+
+/// The largest size in which these lines fit into a cell; nothing if it is not readable.
+std::optional<double> font_size(cairo_t* context, const std::vector<NumberText>& texts,
+                                double scale) {
+  int columns = 0;
+  for (const NumberText& text : texts) columns = std::max(columns, text.columns());
+  if (scale < kFrom || columns == 0) return std::nullopt;
   select_label_font(context, kLargest);
-  const std::string longest(static_cast<std::size_t>(text.columns()), '8');
+  const std::string longest(static_cast<std::size_t>(columns), '8');
   const double fitting = kLargest * kShareOfWidth * scale / text_width(context, longest);
-  const double size = std::min({fitting, kLargest, 0.32 * scale});
+  const double high = texts.size() > 1 ? kShareOfHeight / static_cast<double>(texts.size()) : 0.32;
+  const double size = std::min({fitting, kLargest, high * scale});
   if (size < kSmallest) return std::nullopt;
   return size;
 }
@@ -81,31 +102,37 @@ bool is_alone(const BitGrid& cells, Cell cell) {
 }  // namespace
 
 bool shows_cell_numbers(const SceneDrawing& drawing) {
-  const auto& heatmap = drawing.scene.heatmap;
-  return heatmap &&
-         font_size(drawing.context, NumberText(heatmap->values), drawing.view.scale()).has_value();
+  const auto texts = texts_of(numbers_of(drawing.scene));
+  return font_size(drawing.context, texts, drawing.view.scale()).has_value();
 }
 
 void draw_cell_numbers(const SceneDrawing& drawing) {
   const Scene& scene = drawing.scene;
-  if (!scene.heatmap) return;
+  const double scale = drawing.view.scale();
   cairo_t* const context = drawing.context;
-  const Grid<double>& values = scene.heatmap->values;
-  const NumberText text(values);
-  const auto size = font_size(context, text, drawing.view.scale());
+  const auto numbers = numbers_of(scene);
+  const auto texts = texts_of(numbers);
+  const auto size = font_size(context, texts, scale);
   if (!size) return;
   select_label_font(context, *size);
   const CellPaints paints(scene, drawing.style);
+  const auto lines = static_cast<double>(numbers.size());
   const bool aside = !scene.path.cells().empty() || scene.arrows;
-  const double below_middle = aside ? 0.44 * drawing.view.scale() : 0.35 * *size;
-  for (const Cell cell : every_cell(values)) {
+  const double last = lines > 1 ? (0.5 - 0.5 / lines) * kLines * scale + 0.35 * *size
+                      : aside   ? 0.44 * scale
+                                : 0.35 * *size;
+  for (const Cell cell : every_cell(*numbers.back())) {
     if (!paints.heat(cell)) continue;
-    const std::string number = text(values[cell]);
     const Colour under = paints[cell].colour;
     const Point centre = drawing.view.to_picture(centre_of(cell));
-    const Point baseline{centre.x - text_width(context, number) / 2, centre.y + below_middle};
-    if (!scene.path.empty()) draw_number_rim(context, baseline, number, under);
-    draw_text(context, baseline, number, readable_on(under));
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (!std::isfinite((*numbers[i])[cell])) continue;
+      const std::string number = texts[i]((*numbers[i])[cell]);
+      const double up = (lines - 1 - static_cast<double>(i)) * kLines * scale / lines;
+      const Point baseline{centre.x - text_width(context, number) / 2, centre.y + last - up};
+      if (!scene.path.empty()) draw_number_rim(context, baseline, number, under);
+      draw_text(context, baseline, number, readable_on(under));
+    }
   }
 }
 

@@ -25,6 +25,7 @@ void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const
                 PictureKind kind) {
   const Style shown = style_for(scene, style);
   const SceneDrawing drawing{{context, mark_sizes(scene, view), shown}, scene, view};
+  const bool numbers_cover_marks = !scene.numbers_above.empty() && shows_cell_numbers(drawing);
   draw_map(drawing, kind);
   draw_stripes(drawing);
   draw_grid_lines(drawing);
@@ -33,8 +34,9 @@ void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const
   draw_motions(drawing);
   draw_path(drawing);
   draw_sparse_cells(drawing);
+  if (numbers_cover_marks) draw_marks(drawing);
   draw_cell_numbers(drawing);
-  draw_marks(drawing);
+  if (!numbers_cover_marks) draw_marks(drawing);
 }
 
 Expected<std::string, Error> draw_picture(const Scene& scene, PictureKind kind,

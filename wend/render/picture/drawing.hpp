@@ -8,7 +8,7 @@
 //   const auto png = wend::draw_png(scene);
 //   if (png) wend::write_file("plan.png", *png);
 //
-// Where a cell has 30 pixels or more, the heatmap's values are written into it. Arrows get at least
+// Where a cell has 30 pixels or more, the heatmap's values are written into it, below the numbers above them. Arrows get at least
 // 15 pixels each: in larger maps blocks of cells share the arrow of their middle cell.
 //
 // O(cells + length of the path); memory in proportion to the picture, not to the map. The same

@@ -17,6 +17,10 @@ namespace wend {
 /// takes the same steps. O(cells + pixels), in the memory of the image and one more row.
 Grid<std::uint32_t> map_image(const CellPaints& paints, int width, int height, bool y_up);
 
+/// The same in few pixels, at most as many as cells each way: every pixel has the colour of most of its cells, so that
+/// none is a mixture, and is an obstacle if a wall crosses it. O(cells).
+Grid<std::uint32_t> dominant_image(const CellPaints& paints, int width, int height, bool y_up);
+
 struct MapRectangle {
   Colour colour;
   int x = 0;  // cells

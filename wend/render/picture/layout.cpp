@@ -20,10 +20,14 @@ constexpr int kLeastWidth = 480;  // of the whole picture: the footer needs room
 // Of pictures with panels.
 constexpr int kWidest = 2000;  // the whole picture
 constexpr int kLargestMap = 800;
+constexpr int kLargestAlone = 1200;
+constexpr double kCrispFrom = 3;  // pixels a cell; smaller cells may be blurred
 constexpr int kNarrowestPanel = 300;
 constexpr int kNarrowestPicture = 600;  // the legend needs room
 constexpr double kPleasant = 1.5;       // width to height
-constexpr double kEmptyPlace = 1;       // as bad as proportions that are wrong by that much
+// As bad as proportions that are wrong by that much:
+constexpr double kAllEmpty = 5;     // a picture of empty places; of some, their share
+constexpr double kSmallness = 0.5;  // maps that are smaller by a factor of e
 
 int rows_of(std::size_t panels, int columns) {
   return (static_cast<int>(panels) + columns - 1) / columns;
@@ -127,7 +131,9 @@ PictureLayout picture_layout(const GridMap& map, const Margins& axes) {
 
 PanelLayout panel_layout(std::span<const Panel> panels, double below, int columns) {
   const int room = kWidest - 2 * PanelLayout::kMargin - (columns - 1) * PanelLayout::kGap;
-  const int most = std::clamp(room / columns, 1, kLargestMap);
+  const bool alone = panels.size() == 1 && panels[0].caption.empty();
+  const int largest = alone ? kLargestAlone : kLargestMap;
+  const int most = std::clamp(room / columns, 1, largest);
   PanelLayout layout;
   double width = std::min(kNarrowestPanel, most);
   double height = 0;
@@ -135,7 +141,7 @@ PanelLayout panel_layout(std::span<const Panel> panels, double below, int column
     PanelPlace place;
     place.axes = axis_room(panel.scene);
     place.view = fitted_view(panel.scene.space.map(), std::max(1, most - place.axes.across()),
-                             kLargestMap, 1);
+                             largest, kCrispFrom);
     width = std::max<double>(width, place.view.width + place.axes.across());
     height = std::max<double>(height, place.view.height + place.axes.down());
     layout.places.push_back(place);
@@ -169,7 +175,9 @@ PanelLayout panel_layout(std::span<const Panel> panels, double below) {
     const double proportion = static_cast<double>(layout.width) / layout.height;
     const double empty =
         rows_of(panels.size(), columns) * columns - static_cast<double>(panels.size());
-    const double badness = std::abs(std::log(proportion / kPleasant)) + kEmptyPlace * empty;
+    const double badness = std::abs(std::log(proportion / kPleasant)) +
+                           kAllEmpty * empty / static_cast<double>(panels.size()) -
+                           kSmallness * std::log(layout.places.front().view.scale());
     if (badness >= least) continue;
     least = badness;
     best = std::move(layout);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <tuple>
 
 #include "wend/map/joined_rows.hpp"
@@ -43,6 +46,35 @@ struct Sum {
   std::uint32_t pixel() const { return rgb_of({red / weight, green / weight, blue / weight}); }
 };
 
+/// The cells of a pixel, by their colours.
+class Votes {
+ public:
+  void add(const Paint& paint, bool obstacle) {
+    const std::uint32_t rgb = rgb_of(paint.colour);
+    if (obstacle) obstacles_ = {rgb, obstacles_.weight + 1};
+    if (obstacle) return;
+    const auto colour = std::ranges::find(others_, rgb, &Vote::rgb);
+    colour == others_.end() ? others_.push_back({rgb, paint.weight})
+                            : void(colour->weight += paint.weight);
+  }
+
+  /// Obstacles from that many cells on.
+  std::uint32_t winner(double obstacles) const {
+    if (others_.empty() || (obstacles_.weight > 0 && obstacles_.weight >= obstacles)) {
+      return obstacles_.rgb;
+    }
+    return std::ranges::max_element(others_, {}, &Vote::weight)->rgb;
+  }
+
+ private:
+  struct Vote {
+    std::uint32_t rgb = 0;
+    double weight = 0;
+  };
+  Vote obstacles_;
+  std::vector<Vote> others_;  // few
+};
+
 /// Calls visit(pixel, overlap) for the pixels that cell `index` of `cells` covers when these are
 /// spread over `pixels` pixels.
 template <class Visit>
@@ -64,6 +96,75 @@ void squeeze_row(const CellPaints& paints, int y, std::vector<Sum>& sums) {
       sums[static_cast<std::size_t>(pixel)].add(paint, length);
     });
   }
+}
+
+/// Calls write(row, pixels) for the rows of an image, whole pixels a cell, from the top.
+template <class Write>
+void write_enlarged(const CellPaints& paints, int across, int down, const RowOrder& order,
+                    Write&& write) {
+  std::vector<std::uint32_t> pixels(static_cast<std::size_t>(across) *
+                                    static_cast<std::size_t>(paints.width()));
+  for (int n = 0; n < paints.height(); ++n) {
+    auto pixel = pixels.begin();
+    for (int x = 0; x < paints.width(); ++x) {
+      pixel = std::fill_n(pixel, across, rgb_of(paints[{x, order.row(n)}].colour));
+    }
+    for (int i = 0; i < down; ++i) write(n * down + i, std::span<const std::uint32_t>(pixels));
+  }
+}
+
+/// The same for any size.
+template <class Write>
+void write_map(const CellPaints& paints, int width, int height, bool y_up, Write&& write) {
+  const RowOrder order{paints.height(), y_up};
+  if (width % paints.width() == 0 && height % paints.height() == 0) {
+    return write_enlarged(paints, width / paints.width(), height / paints.height(), order, write);
+  }
+  std::vector<Sum> cells(static_cast<std::size_t>(width));
+  std::vector<Sum> sums(cells.size());
+  std::vector<std::uint32_t> pixels(cells.size());
+  int row = 0;  // of these sums
+  const auto write_row = [&] {
+    std::ranges::transform(sums, pixels.begin(), &Sum::pixel);
+    std::ranges::fill(sums, Sum{});
+    write(row, std::span<const std::uint32_t>(pixels));
+  };
+  for (int n = 0; n < paints.height(); ++n) {
+    squeeze_row(paints, order.row(n), cells);
+    for_pixels_of(n, paints.height(), height, [&](int covered, double area) {
+      if (covered != row) write_row();
+      row = covered;
+      for (std::size_t i = 0; i < sums.size(); ++i) sums[i].add(cells[i], area);
+    });
+  }
+  write_row();
+}
+
+/// Writes the map's pixels straight into an image that is drawn on. False if that is not one, or not of pixels.
+bool write_into_image(const SceneDrawing& drawing, const CellPaints& paints) {
+  const MapView& view = drawing.view;
+  cairo_surface_t* const image = cairo_get_target(drawing.context);
+  if (cairo_surface_get_type(image) != CAIRO_SURFACE_TYPE_IMAGE) return false;
+  const auto left = static_cast<int>(view.left);
+  const auto top = static_cast<int>(view.top);
+  if (left != view.left || top != view.top || left < 0 || top < 0 ||
+      left + view.width > cairo_image_surface_get_width(image) ||
+      top + view.height > cairo_image_surface_get_height(image)) {
+    return false;
+  }
+  cairo_surface_flush(image);
+  unsigned char* const bytes = cairo_image_surface_get_data(image);
+  if (bytes == nullptr) return false;
+  const auto stride = static_cast<std::ptrdiff_t>(cairo_image_surface_get_stride(image));
+  write_map(paints, view.width, view.height, view.y_up,
+            [&](int row, std::span<const std::uint32_t> pixels) {
+              constexpr std::uint32_t kOpaque = 0xFF000000U;
+              unsigned char* const begin = bytes + (top + row) * stride;
+              auto* const to = reinterpret_cast<std::uint32_t*>(begin) + left;
+              std::ranges::transform(pixels, to, [](std::uint32_t rgb) { return rgb | kOpaque; });
+            });
+  cairo_surface_mark_dirty_rectangle(image, left, top, view.width, view.height);
+  return true;
 }
 
 /// The runs of equal colour in row y, as rectangles one cell high, from left to right.
@@ -94,9 +195,9 @@ PictureArea area_of(const MapView& view, Cell first, int columns, int rows) {
   return {a.x, std::min(a.y, b.y), b.x - a.x, std::abs(b.y - a.y)};
 }
 
-void draw_map_image(const SceneDrawing& drawing, const CellPaints& paints) {
+void draw_map_image(const SceneDrawing& drawing, const Grid<std::uint32_t>& pixels) {
   const MapView& view = drawing.view;
-  const CairoSurface image = image_of(map_image(paints, view.width, view.height, view.y_up));
+  const CairoSurface image = image_of(pixels);
   cairo_set_source_surface(drawing.context, image.get(), view.left, view.top);
   cairo_pattern_set_filter(cairo_get_source(drawing.context), CAIRO_FILTER_NEAREST);
   cairo_rectangle(drawing.context, view.left, view.top, view.width, view.height);
@@ -158,23 +259,32 @@ void draw_rows(const SceneDrawing& drawing, int step) {
 
 Grid<std::uint32_t> map_image(const CellPaints& paints, int width, int height, bool y_up) {
   Grid<std::uint32_t> image(width, height);
-  std::vector<Sum> cells(static_cast<std::size_t>(width));
-  std::vector<Sum> pixels(cells.size());
-  int row = 0;  // of these pixels
-  const auto write_row = [&] {
-    std::ranges::transform(pixels, image.row(row).begin(), &Sum::pixel);
-    std::ranges::fill(pixels, Sum{});
+  write_map(paints, width, height, y_up, [&](int row, std::span<const std::uint32_t> pixels) {
+    std::ranges::copy(pixels, image.row(row).begin());
+  });
+  return image;
+}
+
+Grid<std::uint32_t> dominant_image(const CellPaints& paints, int width, int height, bool y_up) {
+  Grid<Votes> votes(width, height);
+  const auto pixel_of = [](int index, int cells, int pixels) {
+    return static_cast<int>((static_cast<std::int64_t>(2 * index) + 1) * pixels / (2LL * cells));
   };
   const RowOrder order{paints.height(), y_up};
   for (int n = 0; n < paints.height(); ++n) {
-    squeeze_row(paints, order.row(n), cells);
-    for_pixels_of(n, paints.height(), height, [&](int covered, double area) {
-      if (covered != row) write_row();
-      row = covered;
-      for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i].add(cells[i], area);
-    });
+    const int row = pixel_of(n, paints.height(), height);
+    for (int x = 0; x < paints.width(); ++x) {
+      const Cell cell{x, order.row(n)};
+      votes[{pixel_of(x, paints.width(), width), row}].add(paints[cell], paints.is_obstacle(cell));
+    }
   }
-  write_row();
+  const double side = std::max(static_cast<double>(paints.width()) / width,
+                               static_cast<double>(paints.height()) / height);
+  Grid<std::uint32_t> image(width, height);
+  constexpr double kMostOfAWall =
+      0.75;  // of what a wall one cell wide has in a pixel that it crosses
+  for (const Cell pixel : every_cell(image))
+    image[pixel] = votes[pixel].winner(kMostOfAWall * side);
   return image;
 }
 
@@ -230,7 +340,15 @@ void draw_map(const SceneDrawing& drawing, PictureKind kind) {
       return draw_map_rectangles(drawing, *rectangles);
     }
   }
-  draw_map_image(drawing, paints);
+  if (write_into_image(drawing, paints)) return;
+  const MapView& view = drawing.view;
+  draw_map_image(drawing, map_image(paints, view.width, view.height, view.y_up));
+}
+
+void draw_dominant_map(const SceneDrawing& drawing) {
+  const MapView& view = drawing.view;
+  const CellPaints paints(drawing.scene, drawing.style);
+  draw_map_image(drawing, dominant_image(paints, view.width, view.height, view.y_up));
 }
 
 void draw_grid_lines(const SceneDrawing& drawing) {

@@ -8,24 +8,13 @@
 namespace wend {
 namespace {
 
-constexpr double kLeastRound = 3;  // pixels; marks of a smaller radius are squares
-constexpr double kTip = 1.7;       // how far a heading's tip reaches, in radii of its mark
+constexpr double kTip = 1.7;  // how far a heading's tip reaches, in radii of its mark
 
-/// Whole pixels around the one that holds the centre.
-void fill_square(cairo_t* context, Point centre, double radius, const Colour& colour) {
-  const double reach = std::floor(radius);
-  cairo_rectangle(context, std::floor(centre.x) - reach, std::floor(centre.y) - reach,
-                  2 * reach + 1, 2 * reach + 1);
+/// Whole pixels, so that none beside them changes its colour.
+void fill_square(cairo_t* context, Point centre, double side, const Colour& colour) {
+  cairo_rectangle(context, std::round(centre.x - side / 2), std::round(centre.y - side / 2), side,
+                  side);
   fill(context, colour);
-}
-
-/// A frame one pixel wide, far enough from the centre's pixel to leave it visible.
-void frame_square(cairo_t* context, Point centre, double radius, const Colour& colour) {
-  const double reach = std::floor(radius) + 1;
-  cairo_rectangle(context, std::floor(centre.x) - reach + 0.5, std::floor(centre.y) - reach + 0.5,
-                  2 * reach, 2 * reach);
-  cairo_set_line_join(context, CAIRO_LINE_JOIN_MITER);
-  stroke(context, 1, colour);
 }
 
 /// A disc; with a heading, one that runs out into a tip.
@@ -106,6 +95,13 @@ MarkSizes mark_sizes(const Scene& scene, const MapView& view) {
   return sizes;
 }
 
+MarkSizes block_mark_sizes(const MapView& view) {
+  constexpr double kWithRim = 3;  // pixels a cell; from here on its own colour shows around a mark
+  const double cell = std::max(1.0, std::floor(view.scale()));
+  const double side = cell < kWithRim ? cell : cell - 2;
+  return {.line = std::max(1.0, std::round(0.4 * cell)), .halo = 0, .mark = side / 2};
+}
+
 void stroke_with_halo(const Pen& pen, double width, const Colour& colour) {
   if (pen.sizes.halo > 0) {
     stroke_and_keep(pen.context, width + 2 * pen.sizes.halo, pen.style.halo);
@@ -123,10 +119,7 @@ void draw_mark(const Pen& pen, Swatch mark, Point centre, std::optional<double> 
   const Colour& colour = mark == Swatch::start  ? style.start
                          : mark == Swatch::goal ? style.goal
                                                 : style.narrowest;
-  if (pen.sizes.mark < kLeastRound) {
-    const auto draw_square = mark == Swatch::narrowest ? frame_square : fill_square;
-    return draw_square(pen.context, centre, pen.sizes.mark, colour);
-  }
+  if (pen.sizes.halo <= 0) return fill_square(pen.context, centre, 2 * pen.sizes.mark, colour);
   if (mark == Swatch::start) draw_disc(pen, centre, colour, angle);
   if (mark == Swatch::goal) draw_target(pen, centre, colour, angle);
   if (mark == Swatch::narrowest) draw_ring_with_ticks(pen, centre, colour);

@@ -36,16 +36,11 @@ std::vector<Panel> with_shared_ranges(std::span<const Panel> panels) {
 
 /// What the panels that share a style show, each entry once, in the order of one legend.
 std::vector<LegendItem> shared_legend(std::span<const Panel> panels, const Style& style) {
-  std::vector<LegendItem> items;
+  std::vector<Scene> scenes;
   for (const Panel& panel : panels) {
-    if (panel.style) continue;
-    for (LegendItem& item : legend_of(panel.scene, style)) {
-      if (std::ranges::find(items, item) != items.end()) continue;
-      const auto place = std::ranges::upper_bound(items, item.swatch, {}, &LegendItem::swatch);
-      items.insert(place, std::move(item));
-    }
+    if (!panel.style) scenes.push_back(panel.scene);
   }
-  return items;
+  return legend_of(scenes, style);
 }
 
 /// Where all panels have the same one.

@@ -16,6 +16,7 @@ constexpr double kLeastMarkDistance = 1;  // pixels; points of cells nearer to e
 constexpr double kLeastPointDistance =
     0.25;                              // pixels; points of lines nearer to each other are one
 constexpr double kLeastBend = 4;       // pixels
+constexpr double kLeastDash = 1.5;     // pixels; dashes are as long as those of a line so wide
 constexpr double kLeastLineWidth = 1;  // pixels
 constexpr double kArrow = 3.6;         // an arrow's length, in widths of the line
 constexpr double kArrowSpacing = 1.7;  // from arrow to arrow at least, in lengths of an arrow
@@ -227,9 +228,12 @@ void stroke_line(const Pen& pen, LineRole role) {
   // that it does not exist yet.
   const bool dashed =
       role == LineRole::possible || (role == LineRole::planned && pen.sizes.halo > 0);
-  if (dashed) set_dashes(pen.context, width, 2.6, 2.2);
+  const double drawn = dashed ? std::max(width, kLeastDash) : width;
+  // Half characters are not smooth elsewhere, but gaps of a thin line would vanish.
+  if (dashed) cairo_set_antialias(pen.context, CAIRO_ANTIALIAS_DEFAULT);
+  if (dashed) set_dashes(pen.context, drawn, 2.6, 2.2);
   set_round_line(pen.context);
-  stroke(pen.context, width, pen.style.of(role));
+  stroke(pen.context, drawn, pen.style.of(role));
   cairo_restore(pen.context);
 }
 
@@ -257,6 +261,7 @@ void draw_robot_at_start(const SceneDrawing& drawing) {
   const auto& [line, halo, mark] = drawing.sizes;
   const auto& start = drawing.scene.start;
   const double radius = drawing.scene.space.radius_in_cells() * drawing.view.scale();
+  if (halo <= 0) return;  // it would hide what is around the start
   if (!start || radius < 1.2 * (mark + halo)) return;
   trace_circle(drawing.context, drawing.view.to_picture(start->point), radius);
   fill_and_keep(drawing.context, drawing.style.start, 0.2);
@@ -272,7 +277,9 @@ void draw_robot(const SceneDrawing& drawing) {
   const Point centre = drawing.view.to_picture(robot.point());
   const double angle = drawing.view.angle_of(robot.heading);
   const double scale_radius = drawing.scene.space.radius_in_cells() * drawing.view.scale();
-  const double radius = std::max({scale_radius, 2.0, 0.7 * drawing.sizes.mark});
+  const bool blocks = drawing.sizes.halo <= 0;
+  const double least = blocks ? drawing.sizes.mark : std::max(2.0, 0.7 * drawing.sizes.mark);
+  const double radius = std::max(scale_radius, least);
   const double line = std::max(kLeastLineWidth, 0.5 * drawing.sizes.line);
   const Colour& colour = drawing.style.lines.driven;
   cairo_save(context);

@@ -18,7 +18,7 @@ namespace wend {
 struct MarkSizes {
   double line = 3;    // width of the path
   double halo = 1.5;  // width of the rim around path and marks; 0 where a pixel is half a character
-  double mark = 8;    // radius of start and goal
+  double mark = 8;    // radius of start and goal; half the side of squares
 };
 
 /// What marks and lines are drawn with.
@@ -41,6 +41,9 @@ void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const
 // map_drawing.cpp: the map, and what tells where on it one is.
 
 void draw_map(const SceneDrawing& drawing, PictureKind kind);
+
+/// The map as a dominant_image().
+void draw_dominant_map(const SceneDrawing& drawing);
 
 /// Over the cells that need them. None where cells are too small to see a stripe.
 void draw_stripes(const SceneDrawing& drawing);
@@ -124,6 +127,10 @@ void draw_footprints(const SceneDrawing& drawing);
 
 /// Sizes for a picture of that scale: by the cells, or by a car's lattice, whose corners need room.
 MarkSizes mark_sizes(const Scene& scene, const MapView& view);
+
+/// The same where a pixel is half a character: marks are squares, which hide one cell at most, or one pixel where
+/// many cells share it.
+MarkSizes block_mark_sizes(const MapView& view);
 
 /// How far the mark of the narrowest place reaches, in radii of the other marks.
 inline constexpr double kNarrowestReach = 2.3;

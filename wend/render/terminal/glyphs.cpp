@@ -19,24 +19,25 @@ struct MeaningText {
 };
 
 // In colours of the terminal's own palette, so that they suit light and dark ones: 31 red, 32 green,
-// 33 yellow, 34 blue, 35 purple, 36 cyan, 90 grey; 1 is bold.
+// 33 yellow, 35 purple, 36 cyan, 90 grey, 94 bright blue; 1 is bold. Plain blue cannot be read on black: a path is
+// white (97) on it (44).
 constexpr std::array<MeaningText, kMeanings> kMeaningTexts{{
     {Meaning::start, "1;32", "S", "start"},
     {Meaning::goal, "1;31", "G", "goal"},
-    {Meaning::path, "1;34", "→", "path"},
-    {Meaning::pose, "1;34", "→", "pose"},
-    {Meaning::ahead, "1;34", "─", "driven ahead"},
+    {Meaning::path, "1;97;44", "→", "path"},
+    {Meaning::pose, "1;94", "→", "pose"},
+    {Meaning::ahead, "1;94", "─", "driven ahead"},
     {Meaning::reverse, "1", "═", "in reverse"},
     {Meaning::planned_line, "31", "○", "planned"},
     {Meaning::smoothed_line, "1;32", "●", "smoothed"},
-    {Meaning::driven_line, "1;34", "◆", "driven"},
-    {Meaning::possible_line, "1;34", "◇", "possible path"},
-    {Meaning::robot, "1;34", "R", "robot"},
+    {Meaning::driven_line, "1;94", "◆", "driven"},
+    {Meaning::possible_line, "1;94", "◇", "possible path"},
+    {Meaning::robot, "1;94", "R", "robot"},
     {Meaning::collision, "1;35", "✗", "collision"},
     {Meaning::narrowest, "1;35", "!", "narrowest"},
     {Meaning::nearest_free, "1;35", "N", "nearest free cell"},
     {Meaning::current, "1;35", "@", "being expanded"},
-    {Meaning::frontier, "34", "+", "frontier"},
+    {Meaning::frontier, "94", "+", "frontier"},
     {Meaning::expanded, "36", "*", "expanded"},
     {Meaning::expanded_rough, "36", "%", "expanded, rough"},
     {Meaning::start_component, "32", "s", "start's component"},

@@ -202,7 +202,7 @@ TEST(LatticePicture, ColoursCharactersByWhatTheyMean) {
       car_on(*make_free_space(map_of({"#.."})), Path::through({{3, 0, 0}, {2, 1, -kPi / 2}}));
   const std::string text = text_picture(scene, {.colours = true});
   EXPECT_NE(text.find("\x1b[31m▐███▌\x1b[0m"), std::string::npos) << text;
-  EXPECT_NE(text.find("\x1b[1;34m→\x1b[0m"), std::string::npos) << text;
+  EXPECT_NE(text.find("\x1b[1;94m→\x1b[0m"), std::string::npos) << text;
   EXPECT_NE(text.find("\x1b[1m"), std::string::npos) << "in reverse";
 }
 

@@ -41,16 +41,22 @@ struct CharacterSize {
   int height;
 };
 
+bool has_blocks(const Terminal& terminal) {
+  return terminal.graphics == TerminalGraphics::half_blocks;
+}
+
 CharacterSize character_size(const Terminal& terminal) {
-  if (terminal.plain() || terminal.graphics == TerminalGraphics::half_blocks) return {1, 2};
+  if (terminal.plain() || has_blocks(terminal)) return {1, 2};
   return {std::clamp(terminal.cell_width, 1, kMostPixelsPerCharacter),
           std::clamp(terminal.cell_height, 1, kMostPixelsPerCharacter)};
 }
 
-/// With sixteen colours the marks take the pure ones, or they would all come out as one.
-Style suited(const Scene& scene, const Style& style, TerminalColours colours) {
+/// With sixteen colours the marks take the pure ones, or they would all come out as one. A mark of one pixel must not
+/// be taken for a wall.
+Style suited(const Scene& scene, const Style& style, const Terminal& terminal) {
   Style shown = style_for(scene, style);
-  if (colours == TerminalColours::sixteen) {
+  if (has_blocks(terminal)) shown.narrowest = colour_from(0xF000C0);
+  if (terminal.colours == TerminalColours::sixteen) {
     shown.path = colour_from(0x0000FF);
     shown.start = colour_from(0x00A000);
     shown.goal = colour_from(0xFF0000);
@@ -69,8 +75,12 @@ CairoSurface scene_image(const Scene& scene, const MapView& view, int width, int
   const SceneDrawing drawing{{context.get(), sizes, style}, scene, view};
   cairo_rectangle(context.get(), view.left, view.top, view.width, view.height);
   cairo_clip(context.get());
-  draw_map(drawing, PictureKind::png);
-  if (sizes.halo > 0) draw_arrows(drawing, false);  // half blocks have no room for arrows
+  const bool blocks = sizes.halo <= 0;
+  // Mixtures of colours in few large pixels are hard to read.
+  if (blocks) cairo_set_antialias(context.get(), CAIRO_ANTIALIAS_NONE);
+  const bool dominant = blocks && view.scale() < 1 && !scene.heatmap;
+  dominant ? draw_dominant_map(drawing) : draw_map(drawing, PictureKind::png);
+  if (!blocks) draw_arrows(drawing, false);  // half blocks have no room for arrows
   draw_path(drawing);
   draw_sparse_cells(drawing);
   draw_marks(drawing);
@@ -115,7 +125,7 @@ Owned<ChafaCanvasConfig> canvas_config(int columns, int rows, const Terminal& te
   chafa_canvas_config_set_preprocessing_enabled(config.get(), FALSE);
   chafa_canvas_config_set_work_factor(config.get(), 1);
   chafa_canvas_config_set_canvas_mode(config.get(), canvas_mode(terminal));
-  if (terminal.graphics == TerminalGraphics::half_blocks) {
+  if (has_blocks(terminal)) {
     const Owned<ChafaSymbolMap> symbols(chafa_symbol_map_new());
     // Space, and the lower half: chafa names the halves by the axis along which they lie.
     const int tags = CHAFA_SYMBOL_TAG_SPACE | CHAFA_SYMBOL_TAG_VHALF;
@@ -144,7 +154,8 @@ std::string printed(cairo_surface_t* image, const ChafaCanvasConfig* config) {
 
 // The legend.
 
-constexpr int kBar = 20;  // characters
+constexpr int kShortestBar = 4;  // characters
+constexpr int kLongestBar = 20;
 
 std::string plain_entry(const LegendItem& item) {
   if (item.swatch != Swatch::heat) return std::string(1, item.character) + " " + item.label;
@@ -152,16 +163,20 @@ std::string plain_entry(const LegendItem& item) {
          short_number(item.range.greatest);
 }
 
-std::string coloured_entry(const LegendItem& item, TerminalColours colours, const Style& style) {
+std::string coloured_entry(const LegendItem& item, int columns, TerminalColours colours,
+                           const Style& style) {
   if (item.swatch != Swatch::heat) {
     return ansi_background(item.colour, colours) + "  " + kAnsiReset + " " + item.label;
   }
+  const std::string before = item.label + "  " + short_number(item.range.least) + " ";
+  const std::string after = " " + short_number(item.range.greatest);
+  const int room = columns - static_cast<int>(columns_of(before + after));
+  const int length = std::clamp(room, kShortestBar, kLongestBar);
   std::string bar;
-  for (int i = 0; i < kBar; ++i) {
-    bar += ansi_background(style.heat(static_cast<double>(i) / (kBar - 1)), colours) + " ";
+  for (int i = 0; i < length; ++i) {
+    bar += ansi_background(style.heat(static_cast<double>(i) / (length - 1)), colours) + " ";
   }
-  return item.label + "  " + short_number(item.range.least) + " " + bar + kAnsiReset + " " +
-         short_number(item.range.greatest);
+  return before + bar + kAnsiReset + after;
 }
 
 }  // namespace
@@ -189,30 +204,29 @@ std::string terminal_picture(const Scene& scene, int columns, int rows, const Te
   rows = std::clamp(rows, 1, kMostCharacters);
   if (terminal.plain()) return ascii_picture(scene, columns, rows);
   const CharacterSize character = character_size(terminal);
-  const bool blocks = terminal.graphics == TerminalGraphics::half_blocks;
+  const bool blocks = has_blocks(terminal);
   const MapView view = fitted_view(scene.space.map(), columns * character.width,
                                    rows * character.height, blocks ? 1 : 3);
   const int used_columns = (view.width + character.width - 1) / character.width;
   const int used_rows = (view.height + character.height - 1) / character.height;
-  const MarkSizes sizes =
-      blocks ? MarkSizes{.line = 1.5, .halo = 0, .mark = 1} : mark_sizes(scene, view);
+  const MarkSizes sizes = blocks ? block_mark_sizes(view) : mark_sizes(scene, view);
   CairoSurface image =
       scene_image(scene, view, used_columns * character.width, used_rows * character.height, sizes,
-                  suited(scene, style, terminal.colours));
+                  suited(scene, style, terminal));
   if (blocks) image = enlarged(image.get(), kSymbolPixels, kSymbolPixels / 2);
   return printed(image.get(), canvas_config(used_columns, used_rows, terminal).get());
 }
 
 std::string terminal_legend(const Scene& scene, int columns, const Terminal& terminal,
                             const Style& style) {
-  const Style shown = suited(scene, style, terminal.colours);
+  const Style shown = suited(scene, style, terminal);
   std::vector<std::string> entries;
   for (const LegendItem& item : legend_of(scene, shown)) {
     if (terminal.plain()) {
       if (item.swatch == Swatch::heat || item.character != ' ')
         entries.push_back(plain_entry(item));
-    } else if (item.swatch != Swatch::arrow || terminal.graphics != TerminalGraphics::half_blocks) {
-      entries.push_back(coloured_entry(item, terminal.colours, shown));
+    } else if (item.swatch != Swatch::arrow || !has_blocks(terminal)) {
+      entries.push_back(coloured_entry(item, columns, terminal.colours, shown));
     }
   }
   return entries.empty() ? "" : in_lines(entries, columns) + "\n";

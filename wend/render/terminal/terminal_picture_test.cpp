@@ -108,6 +108,113 @@ TEST(TerminalPicture, KeepsMarksApartInSixteenColours) {
   }
 }
 
+using Pixels = std::vector<std::vector<std::uint32_t>>;
+
+/// What a terminal draws with.
+struct Ink {
+  std::uint32_t ink = 0;
+  std::uint32_t ground = 0;
+  bool inverse = false;
+
+  /// Of a true colour's sequence, after "\x1b[", up to its "m".
+  void read(std::istringstream& text) {
+    std::string sequence;
+    std::getline(text, sequence, 'm');
+    std::replace(sequence.begin(), sequence.end(), ';', ' ');
+    std::istringstream numbers(sequence.substr(1));
+    for (unsigned what = 0; numbers >> what;) {
+      if (what == 0) *this = {};
+      if (what == 7) inverse = true;
+      if (what != 38 && what != 48) continue;
+      unsigned kind = 0;
+      std::uint32_t red = 0;
+      std::uint32_t green = 0;
+      std::uint32_t blue = 0;
+      numbers >> kind >> red >> green >> blue;
+      (what == 38 ? ink : ground) = red << 16U | green << 8U | blue;
+    }
+  }
+
+  std::uint32_t before() const { return inverse ? ground : ink; }
+  std::uint32_t behind() const { return inverse ? ink : ground; }
+};
+
+/// What a terminal shows of half blocks in true colours.
+Pixels pixels_of_blocks(const std::string& picture) {
+  Pixels pixels(2);
+  std::istringstream text(picture);
+  Ink ink;
+  const auto put = [&](std::uint32_t upper, std::uint32_t lower) {
+    pixels[pixels.size() - 2].push_back(upper);
+    pixels.back().push_back(lower);
+  };
+  for (char byte = 0; text.get(byte);) {
+    if (byte == '\x1b') ink.read(text);
+    if (byte == '\n') pixels.resize(pixels.size() + 2);
+    if (byte == ' ') put(ink.behind(), ink.behind());
+    if (byte != '\xE2') continue;
+    text.ignore(1);
+    text.get(byte);  // the last byte of a half block's three
+    byte == '\x84' ? put(ink.behind(), ink.before()) : put(ink.before(), ink.behind());
+  }
+  pixels.resize(pixels.size() - 2);
+  return pixels;
+}
+
+const Terminal kBlocks{TerminalGraphics::half_blocks, TerminalColours::true_colour};
+
+RC_GTEST_PROP(TerminalPicture, HidesNoCellBesideAMark, ()) {
+  const int width = *rc::gen::inRange(2, 20);
+  const int height = *rc::gen::inRange(2, 10);
+  Grid<CellState> cells(width, height);
+  Scene scene{.space = *make_free_space(*make_grid_map(cells))};
+  BitGrid expanded(width, height);
+  for (const Cell cell : every_cell(cells)) {
+    const int kind = *rc::gen::inRange(0, 3);
+    if (kind == 0) cells[cell] = CellState::occupied;
+    if (kind == 1) expanded.set(cell, true);
+  }
+  const auto any_cell = rc::gen::map(
+      rc::gen::pair(rc::gen::inRange(0, width), rc::gen::inRange(0, height)),
+      [](const std::pair<int, int>& place) { return Cell{place.first, place.second}; });
+  const std::vector<Cell> marks{*any_cell, *any_cell, *any_cell};
+  scene.space = *make_free_space(*make_grid_map(cells));
+  scene.marked = {{CellRole::expanded, expanded}};
+  scene.start = centre_of(marks[0]);
+  scene.goals = {centre_of(marks[1])};
+  scene.narrowest = centre_of(marks[2]);
+  const int size = *rc::gen::inRange(1, 7);  // pixels a cell
+  const int rows = (size * height + 1) / 2;
+  const Pixels pixels = pixels_of_blocks(terminal_picture(scene, size * width, rows, kBlocks));
+  const Style style;
+  const CellPaints paints(scene, style);
+  for (int y = 0; y < size * height; ++y) {
+    for (int x = 0; x < size * width; ++x) {
+      const Cell cell{x / size, y / size};
+      if (std::ranges::find(marks, cell) != marks.end()) continue;
+      RC_ASSERT(pixels.at(static_cast<std::size_t>(y)).at(static_cast<std::size_t>(x)) ==
+                rgb_of(paints[cell].colour));
+    }
+  }
+}
+
+TEST(TerminalPicture, KeepsWallsAndMixesNoColoursWhereManyCellsShareAPixel) {
+  Scene scene{.space = *make_free_space(map_of({"."}))};
+  for (int wall = 0; wall < 160; ++wall) {
+    Grid<CellState> cells(160, 100);
+    for (int y = 0; y < 100; ++y) cells[{wall, y}] = CellState::occupied;
+    scene.space = *make_free_space(*make_grid_map(cells));
+    for (const Pixels& shown : {pixels_of_blocks(terminal_picture(scene, 48, 40, kBlocks)),
+                                pixels_of_blocks(terminal_picture(scene, 80, 40, kBlocks))}) {
+      for (const auto& row : shown) {
+        EXPECT_EQ(std::ranges::count(row, rgb_of(Style{}.occupied)), 1) << wall;
+        EXPECT_GE(std::ranges::count(row, rgb_of(Style{}.free)),
+                  static_cast<std::ptrdiff_t>(row.size()) - 1);
+      }
+    }
+  }
+}
+
 TEST(TerminalPicture, SpeaksSixelAndKitty) {
   const std::string sixel =
       terminal_picture(room(), 20, 10, {TerminalGraphics::sixel, TerminalColours::true_colour});

@@ -172,7 +172,7 @@ TEST(TextPicture, ColoursRunsOfCellsOnlyWhenAsked) {
   scene.goals = {centre_of({3, 0})};
   EXPECT_EQ(text_picture(scene), "#S→G.#\n");
   EXPECT_EQ(text_picture(scene, {.colours = true}),
-            "#\x1b[1;32mS\x1b[0m\x1b[1;34m→\x1b[0m\x1b[1;31mG\x1b[0m\x1b[90m.\x1b[0m#\n");
+            "#\x1b[1;32mS\x1b[0m\x1b[1;97;44m→\x1b[0m\x1b[1;31mG\x1b[0m\x1b[90m.\x1b[0m#\n");
 }
 
 TEST(TextPicture, HeadsWhereACarDoesInTheCellsThatItDrivesThrough) {
