@@ -20,7 +20,6 @@ constexpr int kFiner = 2;                          // than the other searches: f
 constexpr std::uint64_t kMostOnLattice = 100'000;  // expansions of the last search
 constexpr std::uint64_t kMostShuffles = 1000;      // expansions of each search of shuffles
 constexpr std::uint64_t kMostInPocket = 4000;      // the same where a flood from its end ends soon
-constexpr std::uint64_t kPatience = 16;            // times as many where nothing else is left
 constexpr double kNarrow = 0.75;                   // room beside the robot, in steps
 constexpr float kNarrowFactor = 4;
 constexpr std::uint64_t kMostKept = 50'000;  // poses of a search that keeps its memory
@@ -256,26 +255,8 @@ SearchOutcome HybridPortfolio::take_course() {
     no_drive_.why = why_none();
     return SearchOutcome::exhausted;
   }
-  if (const auto outcome = shuffle_on()) return *outcome;
   const bool one_pose = goals_.size() == 1 && goals_.front().wants_heading();
   return search_lattice(one_pose && at_goal ? lattice_backward : lattice);
-}
-
-/// The shuffles that have had their share go on for longer, unless there is a proof that they are of no use.
-std::optional<SearchOutcome> HybridPortfolio::shuffle_on() {
-  std::vector<Kind> patient;
-  for (const Kind kind : {shuffle, shuffle_backward, close_shuffle, close_shuffle_backward}) {
-    Member& member = members_[kind];
-    if (!member.begun || member.search->metrics().expanded < most_shuffles_) continue;
-    patient.push_back(kind);
-  }
-  if (patient.empty() || why_none() != NoDriveFound::Why::none_found) return std::nullopt;
-  for (const Kind kind : patient) members_[kind].over = false;
-  most_shuffles_ *= kPatience;
-  for (std::uint64_t turn = kMostInPocket; !all_over(patient); turn *= kGrowth) {
-    if (const auto outcome = take_turns(patient, turn)) return outcome;
-  }
-  return std::nullopt;
 }
 
 /// Runs the floods, and leaves out the searches that one of them shows to be of no use.

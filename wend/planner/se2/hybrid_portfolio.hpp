@@ -13,9 +13,8 @@
 // All but the first have a finer heuristic, too.
 //
 // Two floods run along with them. Where the goal or the start is boxed in, or the robot has to shuffle to leave it, one
-// of them ends soon: then only the shuffles from that end go on. If all have ended, and nothing proves that an end is
-// boxed in, the shuffles go on for longer, and a last search looks for a drive between the poses of a lattice, along and
-// across the cells. If it finds none, the answer is that there is no path. A
+// of them ends soon: then only the shuffles from that end go on. If all have ended, a last search looks for a drive
+// between the poses of a lattice, along and across the cells. If it finds none, the answer is that there is no path. A
 // search or a flood is made when a query first needs it; those that have grown large are freed when the query ends.
 //
 // A query without limits of its own ends when it has used its budget of CPU time, or of memory.
@@ -113,7 +112,6 @@ class HybridPortfolio {
   std::optional<SearchOutcome> take_turns(std::span<const Kind> kinds, std::uint64_t most);
   bool all_over(std::span<const Kind> kinds) const;
   SearchOutcome take_course();
-  std::optional<SearchOutcome> shuffle_on();
   void flood(std::uint64_t most, Course& course);
   void run_flood(PoseFlood& flood, std::uint64_t most);
   NoDriveFound::Why why_none() const;
