@@ -52,7 +52,7 @@ TEST_F(SmoothCommand, ShowsThePathBeforeAndAfter) {
 /// Of a path that is not free, the written file says why: that must not replace the path.
 TEST_F(SmoothCommand, NeverWritesOverItsOwnPath) {
   const std::string before = bytes_of(plan_);
-  for (const std::string output : {plan_, (folder_ / "./plan.csv").string()}) {
+  for (const std::string& output : {plan_, (folder_ / "./plan.csv").string()}) {
     const Outcome refused = smooth({"-o", output});
     EXPECT_EQ(refused.code, 2);
     EXPECT_THAT(refused.err, HasSubstr("this file is also an input and would be overwritten"));

@@ -33,7 +33,7 @@ void WatchArguments::add_to(Parser& app) {
       .group(kGroup);
   app.add_flag("--step", step,
                wrapped("Show the search and its open list after each expansion and wait for a key; "
-                         "keys step forwards and backwards"));
+                       "keys step forwards and backwards"));
   app.add_flag("--animate", animate, wrapped("Play the search on the terminal"));
   add_number(app, "--speed", speed, kFilmSpeeds,
              "Expansions per second of --animate and of a .gif (default: a few seconds in total)")

@@ -180,7 +180,7 @@ TEST(CornerSweep, TellsACellTheFirstTangentCornersThatItSees) {
     for (const Cell cell : trial.cells) {
       std::set<std::uint32_t> told;
       const Visibility::At centre = Visibility::centre(cell);
-      sweep.from_cell(cell, [&](std::uint32_t corner, Ray ray) {
+      sweep.from_point(SightPoint::centre(cell), [&](std::uint32_t corner, Ray ray) {
         EXPECT_TRUE(told.insert(corner).second) << "told twice";
         EXPECT_EQ(ray.x, trial.at(corner).x - centre.x);
         EXPECT_EQ(ray.y, trial.at(corner).y - centre.y);

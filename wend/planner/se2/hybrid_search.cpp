@@ -214,15 +214,18 @@ void HybridSearch::expand_primitives(Index node) {
   }
 }
 
-/// Adds the poses after 1, 2, 4, ... steps of a primitive, and the last one before the robot touches something.
+/// Adds the poses after 1, 2, 4, ... steps of a primitive, and the last one before the robot touches something, to a
+/// small part of a step: in a tight slot each motion gains little more than that.
 void HybridSearch::expand_to_contact(Index node, const Motion& primitive) {
+  constexpr double kParts = 8;
+  const double least = resolution_.step / kParts;
   const Pose from = nodes_[node].pose;
   const bool changes = gear_of(primitive) * nodes_[node].gear < 0;
   double cost = changes ? steering_.costs().gear_change : 0;
   Pose pose = from;
   double length = 0;
   bool free = true;
-  for (double part = resolution_.step; part >= resolution_.step;) {
+  for (double part = resolution_.step; part >= (free ? resolution_.step : least);) {
     const Motion whole = steering_.scaled(primitive, length + part);
     const Motion piece = part_of(whole, part / (length + part));
     const double way = way_of(pose, piece);
@@ -232,7 +235,7 @@ void HybridSearch::expand_to_contact(Index node, const Motion& primitive) {
       length += part;
       pose = pose_after(from, whole);
       cost += steering_.cost(piece, way);
-      if (free || part < 2 * resolution_.step) add(node, {&whole, 1}, cost, false);
+      if (free || part < 2 * least) add(node, {&whole, 1}, cost, false);
     }
     if (primitive.length == 0 || std::abs(whole.turn) > kPi / 4) return;
     part = free ? length : part / 2;
