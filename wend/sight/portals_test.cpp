@@ -24,6 +24,8 @@ namespace {
 
 using test::Visibility;
 
+constexpr std::int64_t kHalf = Visibility::kCell / 2;  // of a cell
+
 /// A random map, with gaps open or closed, and the reference on it.
 struct SightTrial {
   explicit SightTrial(std::uint64_t seed, int longest = 12)
@@ -44,7 +46,7 @@ struct SightTrial {
 
   Visibility::At at(std::uint32_t corner) const {
     const TautCorner& its = portals.corners()[corner];
-    return {2 * std::int64_t{its.x}, 2 * std::int64_t{its.y}};
+    return {Visibility::kCell * its.x, Visibility::kCell * its.y};
   }
 
   Random random;
@@ -182,8 +184,8 @@ TEST(CornerSweep, TellsACellTheFirstTangentCornersThatItSees) {
       const Visibility::At centre = Visibility::centre(cell);
       sweep.from_point(SightPoint::centre(cell), [&](std::uint32_t corner, Ray ray) {
         EXPECT_TRUE(told.insert(corner).second) << "told twice";
-        EXPECT_EQ(ray.x, trial.at(corner).x - centre.x);
-        EXPECT_EQ(ray.y, trial.at(corner).y - centre.y);
+        EXPECT_EQ(ray.x * kHalf, trial.at(corner).x - centre.x);
+        EXPECT_EQ(ray.y * kHalf, trial.at(corner).y - centre.y);
       });
       std::set<std::uint32_t> expected;
       for (std::uint32_t i = 0; i < trial.portals.corners().size(); ++i) {

@@ -33,6 +33,7 @@ namespace {
 constexpr int kMargin = 8;  // around it all
 constexpr int kGap = 20;    // between panels
 constexpr int kStrip = 30;  // above a map, for its name and its counter
+constexpr int kFrame = 2;   // around a map: a line on each side
 constexpr double kTitleSize = 18;
 constexpr double kTextGap = 12;         // between the two
 constexpr int kLeastWidth = 240;        // of a map with its texts
@@ -52,12 +53,12 @@ FilmLayout layout_of(std::span<const FilmPanel> panels, int columns, int most_wi
   for (const FilmPanel& panel : panels) {
     const Margins axes = axis_room(panel.scene);
     FilmPlace& place = layout.places.emplace_back();
-    place.view = fitted_view(panel.scene.space.map(), std::max(1, room_across - axes.across()),
-                             std::max(1, room_down - axes.down()), kCrispFrom);
+    place.view = fitted_view(panel.scene.space.map(), std::max(1, room_across - axes.across() - kFrame),
+                             std::max(1, room_down - axes.down() - kFrame), kCrispFrom);
     layout.scale =
         layout.places.size() == 1 ? place.view.scale() : std::min(layout.scale, place.view.scale());
-    across = std::max(across, place.view.width + axes.across() + 2);  // a frame is around the map
-    down = std::max(down, place.view.height + axes.down() + 2);
+    across = std::max(across, place.view.width + axes.across() + kFrame);
+    down = std::max(down, place.view.height + axes.down() + kFrame);
   }
   for (int i = 0; i < count; ++i) {
     FilmPlace& place = layout.places[static_cast<std::size_t>(i)];
@@ -67,7 +68,7 @@ FilmLayout layout_of(std::span<const FilmPanel> panels, int columns, int most_wi
     place.width = across;
     place.height = kStrip + down;
     place.view.left =
-        place.left + axes.left + 1 + (across - place.view.width - axes.across() - 2) / 2;
+        place.left + axes.left + 1 + (across - place.view.width - axes.across() - kFrame) / 2;
     place.view.top = place.top + kStrip + axes.top + 1;
   }
   layout.width = 2 * kMargin + columns * (across + kGap) - kGap;
