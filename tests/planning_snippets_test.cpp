@@ -44,6 +44,7 @@
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planner_options.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/render/animation/film_canvas.hpp"
 #include "wend/render/animation/gif.hpp"
 #include "wend/render/picture/drawing.hpp"
 #include "wend/render/picture/panels.hpp"
@@ -309,6 +310,18 @@ TEST(Snippets, OfGif) {
   for (const auto& frame : frames) animation.add(frame, 10);
   const auto bytes = animation.finish();
   EXPECT_TRUE(bytes && bytes->starts_with("GIF89a"));
+}
+
+TEST(Snippets, OfFilmCanvas) {
+  const wend::Style style;
+  const std::array scenes{wend::Scene{.space = open_ground()}};
+  const std::array last{wend::FilmPanel{"astar", "120 expanded", scenes[0]}};
+  const auto frame = last;
+  wend::FilmCanvas canvas(last, wend::legend_of(scenes, style), 800, 640, style);
+  const std::array frames{canvas.draw(frame)};
+  wend::GifAnimation animation(frames[0].width(), frames[0].height(), wend::palette_of(frames));
+  animation.add(canvas.draw(frame), 5);
+  EXPECT_TRUE(animation.finish());
 }
 
 TEST(Snippets, OfPosthocTrace) {

@@ -134,47 +134,45 @@ SearchEvent TautEngine::event(TautSearch::Id id) const {
   return event;
 }
 
+/// The search rounds points of the query to its steps. The path begins and ends at the points themselves, unless one of
+/// these lines then cuts a corner by a part of a step.
 void TautEngine::write_path(Path& path) const {
+  const TautSearch::Id goal = search_.goal();
+  const bool rounded = end_point(search_.start(), Ends::of_query) != search_.point(search_.start()) ||
+                       end_point(goal, Ends::of_query) != search_.point(goal);
+  if (rounded) {
+    write_taut(path, Ends::of_query);
+    if (disc_fits_along_path(space_, path, adjacency_)) return;
+  }
+  write_taut(path, Ends::of_search);
+  if (space_.is_point() || disc_fits_along_path(space_, path, adjacency_)) return;
+  pull_trail(path);
+}
+
+void TautEngine::write_taut(Path& path, Ends ends) const {
   path.clear();
   TautSearch::Id last = search_.goal();
-  path.go_to(search_.point(last));
-  if (search_.is_start(last)) return end_exactly(path);
+  path.go_to(end_point(last, ends));
+  if (search_.is_start(last)) return;
   TautSearch::Id id = search_.parent(last);
   for (; !search_.is_start(id); id = search_.parent(id)) {
     if (search_.goes_straight_on(last, id, search_.parent(id))) continue;
     path.go_to(search_.point(id));
     last = id;
   }
-  path.go_to(search_.point(id));
+  path.go_to(end_point(id, ends));
   path.reverse();
-  if (space_.is_point() || disc_fits_along_path(space_, path, adjacency_)) {
-    end_exactly(path);
-  } else {
-    pull_trail(path);
-  }
 }
 
-/// The point of the query that a start or goal stands for.
-Point TautEngine::asked_point(TautSearch::Id end) const {
-  const SightPoint& found = search_.end(end);
-  if (search_.is_start(end)) return start_;
+Point TautEngine::end_point(TautSearch::Id id, Ends ends) const {
+  const SightPoint& found = search_.end(id);
+  if (ends == Ends::of_search) return found.point();
+  if (search_.is_start(id)) return start_;
   for (const Point goal : goal_points_) {
     const auto cell = cell_under(space_, goal);
     if (cell && search_.sight_point(goal, *cell) == found) return goal;
   }
   return found.point();
-}
-
-/// The search rounds points of the query to its steps. The path begins and ends at the points themselves, unless one of
-/// these lines then cuts a corner by a part of a step.
-void TautEngine::end_exactly(Path& path) const {
-  const std::span<const Point> waypoints = path.waypoints();
-  std::vector<Point> exact(waypoints.begin(), waypoints.end());
-  exact.front() = start_;
-  if (exact.size() > 1) exact.back() = asked_point(search_.goal());
-  if (exact.front() == waypoints.front() && exact.back() == waypoints.back()) return;
-  Path changed = Path::along(std::move(exact));
-  if (disc_fits_along_path(space_, changed, adjacency_)) path = std::move(changed);
 }
 
 /// In place of a path that does not fit.

@@ -42,8 +42,9 @@ class TautEngine final : public GridEngine {
   void watched(Action&& action);
   void prepare();
   void pull_trail(Path& path) const;
-  void end_exactly(Path& path) const;
-  Point asked_point(TautSearch::Id end) const;
+  enum class Ends : bool { of_search, of_query };
+  void write_taut(Path& path, Ends ends) const;
+  Point end_point(TautSearch::Id id, Ends ends) const;
 
   FreeSpace space_;
   Adjacency adjacency_;

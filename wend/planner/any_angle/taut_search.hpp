@@ -75,6 +75,7 @@ class TautSearch {
     return SightPoint::at(point, cell, finest_);
   }
   bool is_start(Id id) const { return id == start_id(); }
+  Id start() const { return start_id(); }
 
   Id parent(Id id) const { return nodes_[id].parent; }
   double g(Id id) const { return nodes_[id].g; }

@@ -53,8 +53,9 @@ FilmLayout layout_of(std::span<const FilmPanel> panels, int columns, int most_wi
   for (const FilmPanel& panel : panels) {
     const Margins axes = axis_room(panel.scene);
     FilmPlace& place = layout.places.emplace_back();
-    place.view = fitted_view(panel.scene.space.map(), std::max(1, room_across - axes.across() - kFrame),
-                             std::max(1, room_down - axes.down() - kFrame), kCrispFrom);
+    place.view =
+        fitted_view(panel.scene.space.map(), std::max(1, room_across - axes.across() - kFrame),
+                    std::max(1, room_down - axes.down() - kFrame), kCrispFrom);
     layout.scale =
         layout.places.size() == 1 ? place.view.scale() : std::min(layout.scale, place.view.scale());
     across = std::max(across, place.view.width + axes.across() + kFrame);
