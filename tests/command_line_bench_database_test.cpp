@@ -106,11 +106,15 @@ TEST_F(BenchDatabaseCommand, RemembersWhatWasWrong) {
 
 TEST_F(BenchDatabaseCommand, RefusesAForeignFileAndLeavesItAlone) {
   const std::string file = scenario(kRight);
-  const Outcome outcome = wend({"bench", file, "--database", folder_ / "ok.map"});
+  const std::string foreign = folder_.write("notes.txt", kBenchMap);
+  const Outcome outcome = wend({"bench", file, "--database", foreign});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("ok.map: file is not a database"));
+  EXPECT_THAT(outcome.err, HasSubstr("notes.txt: file is not a database"));
   EXPECT_THAT(outcome.out, IsEmpty());
-  EXPECT_EQ(bytes_of(folder_ / "ok.map"), kBenchMap);
+  EXPECT_EQ(bytes_of(foreign), kBenchMap);
+  const Outcome map = wend({"bench", file, "--database", folder_ / "ok.map"});
+  EXPECT_EQ(map.code, 2);
+  EXPECT_THAT(map.err, HasSubstr("ok.map: this file is also an input"));
   EXPECT_EQ(wend({"bench", file, "--database", folder_ / "none/x.db"}).code, 2);
 }
 

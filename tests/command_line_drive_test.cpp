@@ -88,9 +88,10 @@ TEST_F(DriveCommand, KeepsTheGrowingTreeAsAFilm) {
   const json planned = plan({"-o", film, "--speed", "20"});
   const Decoded shown = decoded(bytes_of(film));
   const auto expanded = planned.at("metrics").at("expanded").get<std::size_t>();
-  EXPECT_EQ(shown.frames.size(), expanded + 1) << "one after each expansion, and the outcome";
+  EXPECT_EQ(shown.frames.size(), expanded + 2)
+      << "one before each expansion, the end, and the outcome";
   const auto& first = shown.frames.front().image;
-  const auto& middle = shown.frames[expanded - 1].image;
+  const auto& middle = shown.frames[expanded].image;
   std::size_t changed = 0;
   for (std::size_t i = 0; i < first.size(); ++i) changed += first.values()[i] != middle.values()[i];
   EXPECT_GT(changed, 100U) << "pixels of motions";

@@ -314,7 +314,10 @@ TEST_F(OnATerminal, StepsNeverScroll) {
 }
 
 TEST_F(OnATerminal, StepsShowTheOpenListBesideTheMapOrBelowOnANarrowTerminal) {
-  const auto wide = frames(low_query() + " --step", "nq");
+  std::string grid;
+  for (int y = 0; y < 20; ++y) grid += std::string(12, '.') + "\n";
+  const std::string tall = folder_.write("tall.txt", grid) + " --start 1,1 --goal 8,18";
+  const auto wide = frames(tall + " --step", "nq");
   ASSERT_FALSE(wide.empty());
   EXPECT_THAT(wide.front(), HasSubstr("   open list: "));
   const auto narrow = frames(low_query() + " --step", "nq", 30);

@@ -162,8 +162,10 @@ void EasedQuery::finish(Plan& plan) {
   if (!plan.path.driven()) {
     end_exactly(plan);
     const Point first = lead_.empty() ? first_of(plan.path) : first_of(lead_);
-    plan.start_snapping_error = {distance(first, asked_start_.point()), 0};
-    plan.goal_snapping_error = {distance_to_goals(last_of(plan.path), asked_goals_), 0};
+    constexpr double kRounding = 1e-6;  // cells
+    const auto error = [](double apart) { return SnappingError{apart > kRounding ? apart : 0, 0}; };
+    plan.start_snapping_error = error(distance(first, asked_start_.point()));
+    plan.goal_snapping_error = error(distance_to_goals(last_of(plan.path), asked_goals_));
   }
   if (!goals_eased_) return;
   const Point end = plan.path.points().back();

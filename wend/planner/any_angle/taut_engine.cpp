@@ -138,8 +138,9 @@ SearchEvent TautEngine::event(TautSearch::Id id) const {
 /// these lines then cuts a corner by a part of a step.
 void TautEngine::write_path(Path& path) const {
   const TautSearch::Id goal = search_.goal();
-  const bool rounded = end_point(search_.start(), Ends::of_query) != search_.point(search_.start()) ||
-                       end_point(goal, Ends::of_query) != search_.point(goal);
+  const bool rounded =
+      end_point(search_.start(), Ends::of_query) != search_.point(search_.start()) ||
+      end_point(goal, Ends::of_query) != search_.point(goal);
   if (rounded) {
     write_taut(path, Ends::of_query);
     if (disc_fits_along_path(space_, path, adjacency_)) return;
