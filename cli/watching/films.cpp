@@ -90,6 +90,7 @@ Expected<std::string, Error> gif_of_frames(const Film& film, const Style& style)
   }
   FilmCanvas canvas(film.panels_at(last), legend_of(scenes, style), film.width, film.height, style);
   std::vector<Grid<std::uint32_t>> samples;
+  samples.reserve(sampled.size());
   for (const std::size_t frame : sampled) samples.push_back(canvas.draw(film.panels_at(frame)));
   if (samples.front().empty()) return failure(Status::memory_limit, "not enough memory for a film");
   GifAnimation animation(samples.front().width(), samples.front().height(), palette_of(samples));

@@ -20,6 +20,7 @@ constexpr int kFiner = 2;                          // than the other searches: f
 constexpr std::uint64_t kMostOnLattice = 100'000;  // expansions of the last search
 constexpr std::uint64_t kMostShuffles = 1000;      // expansions of each search of shuffles
 constexpr std::uint64_t kMostInPocket = 4000;      // the same where a flood from its end ends soon
+constexpr double kWider = 1.6;                     // radius of wider shuffles
 constexpr double kNarrow = 0.75;                   // room beside the robot, in steps
 constexpr float kNarrowFactor = 4;
 constexpr std::uint64_t kMostKept = 50'000;  // poses of a search that keeps its memory
@@ -31,6 +32,7 @@ HybridPortfolio::HybridPortfolio(std::shared_ptr<const HybridGround> ground,
                                  HybridBudget budget)
     : ground_(std::move(ground)),
       steering_(steering),
+      wider_steering_(steering.model(), kWider * steering.radius(), steering.costs()),
       resolution_(resolution),
       budget_(std::move(budget)),
       ring_(steering_) {
@@ -39,7 +41,7 @@ HybridPortfolio::HybridPortfolio(std::shared_ptr<const HybridGround> ground,
 
 bool HybridPortfolio::from_goal(Kind kind) {
   return kind == backward || kind == shuffle_backward || kind == close_shuffle_backward ||
-         kind == lattice_backward;
+         kind == wider_shuffle_backward || kind == lattice_backward;
 }
 
 HybridPortfolio::Squares HybridPortfolio::squares_of(Kind kind) {
@@ -52,8 +54,10 @@ HybridResolution HybridPortfolio::resolution_of(Kind kind) const {
   constexpr double kCloser = 2;
   HybridResolution resolution = resolution_;
   if (kind < fine) return resolution;
-  if (kind == shuffle || kind == shuffle_backward) return shuffle_resolution(1);
-  if (kind == close_shuffle || kind == close_shuffle_backward) return shuffle_resolution(kCloser);
+  if (kind == shuffle || kind == shuffle_backward) return shuffle_resolution(steering_, 1);
+  if (kind == close_shuffle || kind == close_shuffle_backward)
+    return shuffle_resolution(steering_, kCloser);
+  if (is_wider(kind)) return shuffle_resolution(wider_steering_, kCloser);
   resolution = times_finer(resolution, kFiner);
   resolution.trace_spacing *= 0.4;
   resolution.trace_period = 2;
@@ -81,14 +85,14 @@ bool HybridPortfolio::may_shuffle() const {
 }
 
 /// To and fro the robot gains little with each motion: the boxes have to be smaller than that, or no pose is new.
-HybridResolution HybridPortfolio::shuffle_resolution(double finer) const {
+HybridResolution HybridPortfolio::shuffle_resolution(const Steering& steering, double finer) const {
   constexpr double kParts = 20;      // of the length: steps
   constexpr double kBoxes = 120;     // of the length: boxes
   constexpr double kTurnParts = 1;   // boxes of headings in the turn of a step
   constexpr double kLeastBox = 0.5;  // of these, where the radius is large
   constexpr double kMostHeadings = 4096;
   constexpr double kLeastHeadings = 72;
-  const double radius = steering_.radius() > 0 ? steering_.radius() : resolution_.step;
+  const double radius = steering.radius() > 0 ? steering.radius() : resolution_.step;
   const double length = shuffle_length();
   HybridResolution resolution = resolution_;
   resolution.step = length / kParts / finer;
@@ -118,14 +122,25 @@ const CoarseGrid& HybridPortfolio::grid_of(Squares squares) {
   return *grid;
 }
 
+bool HybridPortfolio::is_wider(Kind kind) const {
+  return kind == wider_shuffle || kind == wider_shuffle_backward;
+}
+
+const GoalRing& HybridPortfolio::ring_of(Kind kind) {
+  if (!is_wider(kind)) return ring_;
+  if (!wider_ring_) wider_ring_.emplace(wider_steering_);
+  return *wider_ring_;
+}
+
 HybridSearch& HybridPortfolio::search_of(Kind kind) {
   Member& member = members_[kind];
   if (!member.search) {
     const auto direction =
         from_goal(kind) ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
     member.search = std::make_unique<HybridSearch>(
-        ground_->check(), steering_, ring_, grid_of(squares_of(kind)), resolution_of(kind),
-        direction, kind >= lattice ? lattice_.get() : nullptr);
+        ground_->check(), is_wider(kind) ? wider_steering_ : steering_, ring_of(kind),
+        grid_of(squares_of(kind)), resolution_of(kind), direction,
+        kind >= lattice ? lattice_.get() : nullptr);
   }
   if (!member.begun) {
     member.search->begin(start_, goals_, observer_);
@@ -210,6 +225,7 @@ void HybridPortfolio::begin(const Pose& start, std::span<const HybridGoal> goals
   members_[backward].over = !one_goal || !goals.front().wants_heading();
   members_[shuffle_backward].over = !one_goal || goals.front().any_heading;
   members_[close_shuffle_backward].over = members_[shuffle_backward].over;
+  members_[wider_shuffle_backward].over = members_[shuffle_backward].over;
   if (may_shuffle()) return;
   for (std::size_t kind = shuffle; kind < lattice; ++kind) members_[kind].over = true;
 }
@@ -254,6 +270,10 @@ SearchOutcome HybridPortfolio::take_course() {
   if ((at_goal || at_start) && !may_shuffle()) {
     no_drive_.why = why_none();
     return SearchOutcome::exhausted;
+  }
+  constexpr std::array kWiderKinds{wider_shuffle, wider_shuffle_backward};
+  for (std::uint64_t turn = kFirstTurn; !all_over(kWiderKinds); turn *= kGrowth) {
+    if (const auto outcome = take_turns(kWiderKinds, turn)) return *outcome;
   }
   const bool one_pose = goals_.size() == 1 && goals_.front().wants_heading();
   return search_lattice(one_pose && at_goal ? lattice_backward : lattice);

@@ -8,7 +8,8 @@
 //   wide     a heuristic that avoids narrow places
 //   fine     smaller boxes and shorter motions
 //   shuffles motions that go on until the robot touches, in small boxes, from either end and at two scales: where
-//            the robot has to drive to and fro, as in a parking slot. They begin where the others have found nothing
+//            the robot has to drive to and fro, as in a parking slot. They begin where the others have found nothing,
+//            and in the end try wider arcs than the narrowest ones
 //
 // All but the first have a finer heuristic, too.
 //
@@ -71,10 +72,12 @@ class HybridPortfolio {
     shuffle_backward,
     close_shuffle,
     close_shuffle_backward,
+    wider_shuffle,
+    wider_shuffle_backward,
     lattice,
     lattice_backward
   };
-  static constexpr std::size_t kKinds = 10;
+  static constexpr std::size_t kKinds = 12;
 
   /// How coarse the squares of a heuristic are.
   enum Squares : std::size_t { quick, closer, closer_and_wide, finest };
@@ -99,7 +102,9 @@ class HybridPortfolio {
   HybridResolution resolution_of(Kind kind) const;
   double shuffle_length() const;
   bool may_shuffle() const;
-  HybridResolution shuffle_resolution(double finer) const;
+  HybridResolution shuffle_resolution(const Steering& steering, double finer) const;
+  bool is_wider(Kind kind) const;
+  const GoalRing& ring_of(Kind kind);
   const CoarseGrid& grid_of(Squares squares);
   HybridSearch& search_of(Kind kind);
 
@@ -120,9 +125,11 @@ class HybridPortfolio {
 
   std::shared_ptr<const HybridGround> ground_;
   Steering steering_;
+  Steering wider_steering_;  // what the robot can do as well, in larger arcs
   HybridResolution resolution_;
   HybridBudget budget_;
   GoalRing ring_;
+  std::optional<GoalRing> wider_ring_;
   std::unique_ptr<LatticeMotions> lattice_;
   std::array<std::unique_ptr<CoarseGrid>, kSquares> grids_;
   std::array<Member, kKinds> members_;

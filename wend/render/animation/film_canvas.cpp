@@ -68,8 +68,8 @@ FilmLayout layout_of(std::span<const FilmPanel> panels, int columns, int most_wi
     place.top = kMargin + i / columns * (kStrip + down + kGap);
     place.width = across;
     place.height = kStrip + down;
-    place.view.left =
-        place.left + axes.left + 1 + (across - place.view.width - axes.across() - kFrame) / 2;
+    const int spare = (across - place.view.width - axes.across() - kFrame) / 2;
+    place.view.left = place.left + axes.left + 1 + spare;
     place.view.top = place.top + kStrip + axes.top + 1;
   }
   layout.width = 2 * kMargin + columns * (across + kGap) - kGap;
