@@ -17,10 +17,10 @@
 
 namespace wend {
 
-/// Where a path is to begin and to end, in grid coordinates: in the cells of its first and last point.
+/// Where a path is to begin and to end.
 struct PathEnds {
-  Point start;
-  Point goal;
+  Point start;  // grid coordinates, in the cell of the path's first point
+  Point goal;   // the same of its last point
 };
 
 /// The path (not empty, not of poses) with these ends, for the disc around the robot; it is made of waypoints (over
