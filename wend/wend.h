@@ -391,8 +391,9 @@ WEND_C_API const wend_pose* wend_plan_poses(const wend_plan* plan);
 /// piece between two poses is the arc that ends at the second with its heading, or a turn in place or a step to the
 /// side. Valid until the plan is freed; null for null.
 WEND_C_API const int32_t* wend_plan_gears(const wend_plan* plan);
-/// How far the path's first pose is from the start that was asked for, in metres: planners on cells begin in the middle
-/// of a cell, those on lattices at a vertex. NaN for null.
+/// How far the path's first pose is from the start that was asked for, in metres: 0 wherever the robot can go from there
+/// to the middle of the cell, where the path of a planner on cells begins otherwise; planners on lattices begin at a
+/// vertex. NaN for null.
 WEND_C_API double wend_plan_start_shift(const wend_plan* plan);
 /// The same for the last pose and the goal that it is nearest to, tolerance included. 0 for a plan of a field.
 WEND_C_API double wend_plan_goal_shift(const wend_plan* plan);

@@ -140,13 +140,14 @@ class Plan:
 
     @property
     def start_shift(self) -> float:
-        """Metres from the start that was asked for to the path's first point: planners on cells begin in the middle of a
-        cell, those on lattices at a vertex.
+        """Metres from the start that was asked for to the path's first point: 0 wherever the robot can go from there to
+        the middle of the cell, where the path of a planner on cells begins otherwise. Planners on lattices begin at a
+        vertex.
 
         >>> import wend
         >>> space = wend.Map([[0, 0, 0]], resolution=1).free_space()
         >>> space.plan((0.25, 0.5), (2.5, 0.5)).start_shift
-        0.25
+        0.0
         """
         return self._inner.start_shift
 

@@ -67,11 +67,12 @@ struct PlanRequest {
 
 /// A path, what was done with it, and the space that it was planned on.
 struct PlanAnswer {
-  FreeSpace space;                            // that it was planned on
-  Plan plan;                                  // as the planner found it, in grid coordinates; its
-                                              // cost is that of the path behind the lead out
-  std::optional<GridMoves> moves = {};        // how the planner moves
-  std::optional<Refined> refined = {};        // if a refinement was asked for
+  FreeSpace space;                      // that it was planned on
+  Plan plan;                            // as the planner found it, in grid coordinates, but for
+                                        // its ends, see with_ends(); its cost is that of the
+                                        // path behind the lead out, between the centres
+  std::optional<GridMoves> moves = {};  // how the planner moves
+  std::optional<Refined> refined = {};  // if a refinement was asked for
   std::optional<Trajectory> trajectory = {};  // if one was asked for
   std::optional<Error> fault = {};            // why the path could not be refined or timed
   std::vector<std::string> notes =
@@ -85,7 +86,8 @@ struct PlanAnswer {
   /// were moved because no path reaches them.
   std::optional<double> remaining = {};
 
-  /// How far the path begins from the start that was asked for, in metres: in the middle of a cell or at a vertex.
+  /// How far the path begins from the start that was asked for, in metres: 0 wherever the robot can go from there to the
+  /// middle of its cell, for planners on cells; those on lattices begin at a vertex.
   double start_shift() const { return in_metres(plan.start_snapping_error.distance); }
   /// The same of its end and the goal that is nearest to it, tolerance included.
   double goal_shift() const { return in_metres(plan.goal_snapping_error.distance); }

@@ -36,8 +36,8 @@ PlannerInfo any_angle_planner() {
            "space: what each corner sees, and by which cells it is seen.",
        .citation = "Harabor and others 2016; Oh, Leong 2017",
        .guarantee_text =
-           "optimal for a point on uniform terrain: no path at any angle is shorter; for a disc or "
-           "a polygon complete, and every path is free",
+           "optimal for a point on uniform terrain: no path at any angle between the points of the "
+           "query is shorter; for a disc or a polygon complete, and every path is free",
        .time = "O(n log n) in the n corners reached, and the rows seen from those that no search "
                "has expanded before; on a prepared map without these rows",
        .memory =

@@ -19,6 +19,16 @@ std::optional<ScaleBar> bar_for(const Scene& scene, const MapView& view, double 
   return bar;
 }
 
+/// So that numbers over it can be read.
+template <class Draw>
+void draw_faintly(cairo_t* context, Draw&& draw) {
+  constexpr double kOpacity = 0.4;
+  cairo_push_group(context);
+  draw();
+  cairo_pop_group_to_source(context);
+  cairo_paint_with_alpha(context, kOpacity);
+}
+
 }  // namespace
 
 void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const Style& style,
@@ -32,11 +42,19 @@ void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const
   draw_axes(drawing);
   draw_arrows(drawing, shows_cell_numbers(drawing));
   draw_motions(drawing);
+  if (numbers_cover_marks) {
+    draw_faintly(context, [&] {
+      draw_path(drawing);
+      draw_sparse_cells(drawing);
+      draw_marks(drawing);
+    });
+    draw_cell_numbers(drawing);
+    return;
+  }
   draw_path(drawing);
   draw_sparse_cells(drawing);
-  if (numbers_cover_marks) draw_marks(drawing);
   draw_cell_numbers(drawing);
-  if (!numbers_cover_marks) draw_marks(drawing);
+  draw_marks(drawing);
 }
 
 Expected<std::string, Error> draw_picture(const Scene& scene, PictureKind kind,
