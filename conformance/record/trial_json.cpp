@@ -9,7 +9,10 @@
 #include "conformance/examination.hpp"
 #include "conformance/trial.hpp"
 #include "wend/base/random.hpp"
+#include "wend/session/eased_query.hpp"
+#include "wend/session/explainer.hpp"
 #include "wend/session/plan_request.hpp"
+#include "wend/session/units.hpp"
 
 namespace wend::test {
 namespace {
@@ -106,6 +109,17 @@ Json path_json(const Path& path, const Frame& frame) {
   return points;
 }
 
+/// The planner's answer, finished as every front end does.
+Answer finished_answer(Planner& planner, Query query) {
+  const FreeSpace& space = planner.free_space();
+  const Units units(space.map());
+  const Explainer explainer(space, units, planner.grid_moves().value_or(GridMoves{}), {});
+  EasedQuery eased(std::move(query), planner, explainer, units, {});
+  Answer answer = answer_of(planner, eased.query());
+  if (answer.status == Status::found) eased.finish(answer.plan);
+  return answer;
+}
+
 Json answer_json(const Answer& answer, const Frame& frame) {
   const SearchMetrics& work = answer.plan.metrics;
   return {{"status", to_string(answer.status)},
@@ -132,7 +146,7 @@ std::string trial_json(const PlannerInfo& info, std::uint64_t seed) {
   for (int i = 0; planner && i < kQueries; ++i) {
     const PlanRequest request = request_of(random_query(random, trial.map, info), frame);
     Json query = request_json(request);
-    query["answer"] = answer_json(answer_of(**planner, query_of(request, frame)), frame);
+    query["answer"] = answer_json(finished_answer(**planner, query_of(request, frame)), frame);
     json["queries"].push_back(std::move(query));
   }
   return json.dump();

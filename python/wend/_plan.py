@@ -80,7 +80,7 @@ class Plan:
     @property
     def path(self) -> npt.NDArray[np.float64]:
         """The path in metres: shape (n, 2), or (n, 3) with headings if the planner's states have them. From the start
-        to the goal, both included; for planners on cells, the centres of cells. Read-only."""
+        to the goal, both included; for planners on cells, the centres of cells between them. Read-only."""
         if self._path is None:
             self._path = self._inner.path()
             self._path.flags.writeable = False

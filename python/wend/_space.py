@@ -152,7 +152,7 @@ class FreeSpace:
         >>> space = wend.Map([[0, 0, 0], [0, 0, 0]], resolution=0.5).free_space()
         >>> plan = space.plan((0.1, 0.1), (1.4, 0.9), planner="jps")
         >>> plan.path.tolist()
-        [[0.25, 0.25], [0.75, 0.75], [1.25, 0.75]]
+        [[0.1, 0.1], [0.75, 0.75], [1.4, 0.9]]
         >>> space.plan((0.1, 0.1), (1.4, 0.9), connectivity=5)
         Traceback (most recent call last):
         ...

@@ -133,6 +133,18 @@ bool EasedQuery::ease_goals(Status status) {
   return true;
 }
 
+/// The goal that is nearest to the end of a path, of those in its cell; the end itself if it reaches a goal or there is
+/// none.
+Point EasedQuery::goal_in_cell(Point end) const {
+  std::optional<Point> nearest;
+  for (const Goal& goal : asked_goals_) {
+    if (goal.reaches(end)) return end;
+    if (cell_under(planner_.free_space(), goal.point) != cell_at(end)) continue;
+    if (!nearest || distance(goal.point, end) < distance(*nearest, end)) nearest = goal.point;
+  }
+  return nearest.value_or(end);
+}
+
 /// Where the start or a goal lies in the path's first or last cell, and the robot can go from there, the path begins or
 /// ends there.
 void EasedQuery::end_exactly(Plan& plan) const {
@@ -142,11 +154,7 @@ void EasedQuery::end_exactly(Plan& plan) const {
   const bool begins = lead_.empty() && cell_under(planner_.free_space(), asked_start_.point()) ==
                                            cell_at(ends.start);
   if (begins) ends.start = asked_start_.point();
-  const Cell last = cell_at(ends.goal);
-  for (const Goal& goal : asked_goals_) {
-    const bool reached = goal.reaches(last_of(plan.path));
-    if (!reached && cell_under(planner_.free_space(), goal.point) == last) ends.goal = goal.point;
-  }
+  ends.goal = goal_in_cell(ends.goal);
   plan.path = with_ends(plan.path, ends, planner_.free_space(), moves->adjacency());
 }
 

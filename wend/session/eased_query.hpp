@@ -61,6 +61,7 @@ class WEND_API EasedQuery {
   void lead_start_out();
   void move_ends();
   void end_exactly(Plan& plan) const;
+  Point goal_in_cell(Point end) const;
   std::string why_blocked(const Query& query) const;
 
   Query query_;
