@@ -40,7 +40,7 @@ void collect(const json& command, std::vector<std::string> words,
   }
 }
 
-std::vector<std::pair<std::vector<std::string>, json>> all_commands() {
+std::vector<std::pair<std::vector<std::string>, json>> words_of_all_commands() {
   std::vector<std::pair<std::vector<std::string>, json>> commands;
   collect(json::parse(wend({"reference"}).out), {}, commands);
   return commands;
@@ -54,7 +54,7 @@ std::string help_of(std::vector<std::string> words, const std::string& flag) {
 }
 
 TEST(Help, OfEveryCommandFitsOnTwoScreens) {
-  for (const auto& [words, command] : all_commands()) {
+  for (const auto& [words, command] : words_of_all_commands()) {
     const auto lines = lines_of(help_of(words, "--help"));
     EXPECT_LE(lines.size(), 50U) << command["name"];
     for (const std::string& line : lines) EXPECT_LE(line.size(), 80U) << line;
@@ -71,7 +71,7 @@ TEST(Help, NamesWhatMostPeopleNeed) {
 
 /// What is left out of --help is counted there, and in --help-all.
 TEST(Help, SaysHowMuchMoreThereIs) {
-  for (const auto& [words, command] : all_commands()) {
+  for (const auto& [words, command] : words_of_all_commands()) {
     const std::string help = help_of(words, "--help");
     std::size_t others = 0;
     bool all_there = true;
@@ -88,7 +88,7 @@ TEST(Help, SaysHowMuchMoreThereIs) {
 }
 
 TEST(Help, AllHasEveryOptionInFull) {
-  for (const auto& [words, command] : all_commands()) {
+  for (const auto& [words, command] : words_of_all_commands()) {
     const std::string help = help_of(words, "--help-all");
     for (const json& option : command["options"]) {
       EXPECT_THAT(help, HasSubstr(option["names"].back().get<std::string>()));

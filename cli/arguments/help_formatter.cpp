@@ -89,11 +89,12 @@ void HelpFormatter::add_choice_help(const CLI::App& app, const std::string& flag
 std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
                                      CLI::AppFormatMode mode) const {
   // CLI11 would add all that every subcommand has to say.
-  const std::string all = Formatter::make_help(app, name, CLI::AppFormatMode::Normal);
+  std::string all = Formatter::make_help(app, name, CLI::AppFormatMode::Normal);
   if (mode != CLI::AppFormatMode::Normal) return all;
-  const std::string of_choices = help_of_choices(*app, name);
+  std::string of_choices = help_of_choices(*app, name);
   if (!of_choices.empty()) return of_choices;
-  return lines_in(all) <= kTwoScreens ? all : brief_help(*app, name);
+  if (lines_in(all) <= kTwoScreens) return all;
+  return brief_help(*app, name);
 }
 
 std::string HelpFormatter::help_of_choices(const CLI::App& app, const std::string& name) const {

@@ -103,9 +103,10 @@ double chord_tolerance(const JoinedPoses& joined, const Frame& frame) {
   double tolerance = std::min(kCells, kMetres / frame.resolution);
   constexpr double kLeast = 4;  // of an arc, at any tolerance
   const double most = Route::kMostChords + kLeast * static_cast<double>(joined.segment_count());
-  for (double count = chords_of(joined, tolerance); count > most;
-       count = chords_of(joined, tolerance)) {
+  double count = chords_of(joined, tolerance);
+  while (count > most) {
     tolerance *= 2 * (count / most) * (count / most);
+    count = chords_of(joined, tolerance);
   }
   return tolerance;
 }

@@ -53,11 +53,10 @@ std::size_t leading_text(std::string_view text) {
 /// direction of the text behind it?
 bool is_long_control(std::string_view character) {
   if (character.size() == 2) return character[0] == '\xC2' && byte_of(character[1]) < 0xA0;
-  const auto within = [&](std::string_view first, std::string_view last) {
-    return character >= first && character <= last;
-  };
-  return character.size() == 3 &&
-         (within("\xE2\x80\xA8", "\xE2\x80\xAE") || within("\xE2\x81\xA6", "\xE2\x81\xA9"));
+  if (character.size() != 3 || character[0] != '\xE2') return false;
+  const auto last = byte_of(character[2]);
+  return (character[1] == '\x80' && last >= 0xA8 && last <= 0xAE) ||
+         (character[1] == '\x81' && last >= 0xA6 && last <= 0xA9);
 }
 
 bool has_long_control(std::string_view text) {
