@@ -101,7 +101,7 @@ double weight_of(CellRole role) {
 
 std::uint32_t rgb_of(const Colour& colour) {
   const auto byte = [](double part) {
-    return static_cast<std::uint32_t>(std::clamp(part, 0.0, 1.0) * 255 + 0.5);
+    return static_cast<std::uint32_t>(std::lround(std::clamp(part, 0.0, 1.0) * 255));
   };
   return byte(colour.red) << 16U | byte(colour.green) << 8U | byte(colour.blue);
 }

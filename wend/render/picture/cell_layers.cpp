@@ -41,6 +41,7 @@ std::vector<const Grid<double>*> numbers_of(const Scene& scene) {
 
 std::vector<NumberText> texts_of(const std::vector<const Grid<double>*>& numbers) {
   std::vector<NumberText> texts;
+  texts.reserve(numbers.size());
   for (const Grid<double>* values : numbers) texts.emplace_back(*values);
   return texts;
 }

@@ -266,7 +266,8 @@ Grid<std::uint32_t> map_image(const CellPaints& paints, int width, int height, b
 }
 
 Grid<std::uint32_t> dominant_image(const CellPaints& paints, int width, int height, bool y_up) {
-  Grid<Votes> votes(width, height);
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  Grid<Votes> votes(width, height, std::vector<Votes>(pixels));
   const auto pixel_of = [](int index, int cells, int pixels) {
     return static_cast<int>((static_cast<std::int64_t>(2 * index) + 1) * pixels / (2LL * cells));
   };
