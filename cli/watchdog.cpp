@@ -19,7 +19,7 @@ void Watchdog::pause() { change(State::paused); }
 
 void Watchdog::change(State state) {
   {
-    const std::lock_guard lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     state_ = state;
     ++changes_;
   }

@@ -124,5 +124,43 @@ TEST_F(Plugin, AMissingNameIsAnError) {
   }
 }
 
+class BrokenPlanner : public testing::Test {
+ protected:
+  static Outcome test(std::vector<std::string> more) {
+    more.insert(more.begin(), {"--plugin", plugin_, "test-planner"});
+    return wend(std::move(more));
+  }
+
+  inline static const std::string plugin_ = plugin("endless");
+};
+
+TEST_F(BrokenPlanner, ThatHangsEndsTheCheckWhichIsNamed) {
+  const Outcome outcome = test({"endless", "--limit-time", "0.2", "--seed", "5"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("answers         answers agree with the reference"),
+                                 HasSubstr("FAILED (1 maps"), HasSubstr("none for 0.2 s"),
+                                 HasSubstr("again:    wend --plugin " + plugin_ +
+                                           " test-planner endless --seed 5 --maps 1\n"),
+                                 HasSubstr("endless failed 1 of 1 checks\n")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("the check 'answers' ended"),
+                                 HasSubstr("the checks behind it did not run")));
+}
+
+TEST_F(BrokenPlanner, ThatHangsIsReportedInJsonToo) {
+  const auto json =
+      nlohmann::json::parse(test({"endless", "--limit-time", "0.2", "--format", "json"}).out);
+  EXPECT_EQ(json.at("passed"), false);
+  EXPECT_EQ(json.at("checks").size(), 1U);
+  EXPECT_EQ(json.at("checks").at(0).at("smallest").at("came"), "none for 0.2 s");
+}
+
+TEST_F(BrokenPlanner, ThatThrowsViolatesChecksAndTheOthersRun) {
+  const Outcome outcome = test({"throwing", "--maps", "3"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("an exception: the map is too beautiful"),
+                                 HasSubstr("again:    wend --plugin " + plugin_ + " test-planner"),
+                                 HasSubstr("y_up "), HasSubstr("throwing failed ")));
+}
+
 }  // namespace
 }  // namespace wend::test

@@ -158,6 +158,7 @@ std::string as_pictures(const Scene& scene, const std::vector<Layer>& layers, co
   if (way.shown < pictures.size()) way = arranged(pictures, screen, style, --rows);  // for the note
   const Screen each = way.screen_each(screen);
   std::vector<std::string> blocks;
+  blocks.reserve(way.shown);
   for (std::size_t i = 0; i < way.shown; ++i) {
     blocks.push_back(drawn(pictures[i], each, style, way.rows_each(rows)));
   }

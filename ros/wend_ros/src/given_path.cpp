@@ -44,9 +44,10 @@ wend::Expected<std::vector<wend::MapPose>, wend::Error> poses_from(const GivenPa
     }
     const auto pose = read(given.pose);
     if (!pose) {
-      const std::string number = std::to_string(poses.size());
-      return wend::failure(wend::Status::unsupported_query,
-                           "pose " + number + " of " + name + " " + pose.error());
+      std::string what = "pose " + std::to_string(poses.size());
+      what += " of " + name;
+      what += " " + pose.error();
+      return wend::failure(wend::Status::unsupported_query, std::move(what));
     }
     poses.push_back(*pose);
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <tuple>
+#include <vector>
 
 #include "wend/map/joined_rows.hpp"
 #include "wend/render/picture/drawn_cells.hpp"
