@@ -24,11 +24,13 @@ FreeSpace scaled_space(const FreeSpace& space, double scale) {
   return *make_free_space(space.map(), options);
 }
 
-bool drives(const FreeSpace& space, const Query& query, const HybridAStarOptions& options) {
+/// Without a budget of time, which a build with sanitizers exceeds.
+bool drives(const FreeSpace& space, const Query& query, HybridAStarOptions options) {
+  options.time_budget = 1000;
   return (*make_planner(space, options))->plan(query).has_value();
 }
 
-/// Without a budget of time, which ends searches at another place on each machine.
+/// The same: it would end searches at another place on each machine.
 NoDrive explained(const FreeSpace& space, const Query& query, HybridAStarOptions options) {
   options.time_budget = 1000;
   auto why = explain_no_drive(space, query, options);
