@@ -1,5 +1,5 @@
-// wend: the command line. This file makes the app from its subcommands, and turns what goes wrong
-// into messages and exit codes.
+// wend: the command line, and wend-bench, which has the developers' commands besides. This file makes the app from
+// its subcommands, and turns what goes wrong into messages and exit codes.
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -12,12 +12,14 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/arguments/help_formatter.hpp"
 #include "cli/arguments/plugins.hpp"
 #include "cli/arguments/usage_error.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/developer_commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output/output.hpp"
@@ -36,7 +38,7 @@ constexpr const char* kMainExamples = R"(Examples:
 
 `wend SUBCOMMAND --help` describes each subcommand.)";
 
-std::vector<Command> add_commands(CLI::App& app, const std::vector<std::string>& plugins) {
+std::vector<Command> add_commands(CLI::App& app, const Invocation& invocation) {
   app.set_version_flag("--version", "wend " WEND_VERSION, "Print the version and exit");
   app.set_help_flag("-h,--help", "Print what most people need and exit");
   app.set_help_all_flag("--help-all", "Print the help of every option and exit");
@@ -46,16 +48,14 @@ std::vector<Command> add_commands(CLI::App& app, const std::vector<std::string>&
   app.footer(kMainExamples);
   Parser parser(app);
   add_plugin_option(parser);
-  std::vector<Command> commands{add_plan(parser),     add_smooth(parser),
-                                add_follow(parser),   add_explore(parser),
-                                add_check(parser),    add_field(parser),
-                                add_compare(parser),  add_explain(parser),
-                                add_view(parser),     add_info(parser),
-                                add_generate(parser), add_convert(parser),
-                                add_index(parser),    add_bench(parser),
-                                add_planners(parser), add_test_planner(parser, plugins)};
-  commands.push_back(add_completion(parser));
-  commands.push_back(add_reference(parser));
+  std::vector<Command> commands{add_plan(parser),    add_smooth(parser),   add_follow(parser),
+                                add_explore(parser), add_check(parser),    add_field(parser),
+                                add_compare(parser), add_explain(parser),  add_view(parser),
+                                add_info(parser),    add_generate(parser), add_convert(parser),
+                                add_index(parser),   add_planners(parser)};
+  for (Command& command : add_developer_commands(parser, invocation)) {
+    commands.push_back(std::move(command));
+  }
   return commands;
 }
 
@@ -86,13 +86,13 @@ int show(const CLI::App& app, const CLI::ParseError& what) {
 
 int run_app(int argc, char** argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
-  std::vector<std::string> plugins;
-  if (const std::string wrong = load_plugins(arguments, plugins); !wrong.empty()) {
+  Invocation invocation{arguments, {}};
+  if (const std::string wrong = load_plugins(arguments, invocation.plugins); !wrong.empty()) {
     complain(wrong);
     return bad_input;
   }
   CLI::App app("wend plans paths for robots on maps.", "wend");
-  const std::vector<Command> commands = add_commands(app, plugins);
+  const std::vector<Command> commands = add_commands(app, invocation);
   try {
     std::ranges::reverse(arguments);  // CLI11 takes the last word first
     app.parse(arguments);

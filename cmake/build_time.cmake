@@ -61,7 +61,7 @@ function(wend_precompile target kind)
 endfunction()
 
 # wend_compile_text(<target>): most of what compiles slowly need not run fast: the program itself, reports,
-# tests. Nothing that is timed.
+# sessions, tests. Nothing that is timed.
 function(wend_compile_text target)
   target_compile_options(${target} PRIVATE ${WEND_TEXT_OPTIONS})
 endfunction()

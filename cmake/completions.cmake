@@ -8,12 +8,12 @@ include(GNUInstallDirs)
 # Each shell looks for a script of its own name.
 set(completions "${PROJECT_BINARY_DIR}/completions")
 add_custom_command(
-  TARGET wend_cli
+  TARGET wend_bench_cli
   POST_BUILD
   COMMAND "${CMAKE_COMMAND}" -E make_directory "${completions}"
-  COMMAND wend_cli completion bash > "${completions}/wend"
-  COMMAND wend_cli completion zsh > "${completions}/_wend"
-  COMMAND wend_cli completion fish > "${completions}/wend.fish"
+  COMMAND wend_bench_cli completion bash > "${completions}/wend"
+  COMMAND wend_bench_cli completion zsh > "${completions}/_wend"
+  COMMAND wend_bench_cli completion fish > "${completions}/wend.fish"
   VERBATIM)
 set(share "${CMAKE_INSTALL_DATADIR}")
 install(FILES "${completions}/wend" DESTINATION "${share}/bash-completion/completions"

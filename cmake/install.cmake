@@ -21,12 +21,14 @@ foreach(header IN LISTS wend_public_headers)
     COMPONENT development)
 endforeach()
 if(TARGET wend_cli)
-  install(TARGETS wend_cli COMPONENT program)
+  install(TARGETS wend_cli wend_bench_cli COMPONENT program)
   if(WEND_DEBIAN AND BUILD_SHARED_LIBS)
     # The loader finds the library of the package without a path.
-    install(
-      CODE "file(RPATH_REMOVE FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/wend\")"
-      COMPONENT program)
+    foreach(program wend wend-bench)
+      install(
+        CODE "file(RPATH_REMOVE FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/${program}\")"
+        COMPONENT program)
+    endforeach()
   endif()
 endif()
 

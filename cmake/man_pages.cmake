@@ -9,13 +9,13 @@ endif()
 include(GNUInstallDirs)
 set(man_folder "${PROJECT_BINARY_DIR}/man/man1")
 add_custom_command(
-  TARGET wend_cli
+  TARGET wend_bench_cli
   POST_BUILD
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${man_folder}"
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/reference.py" man
-          "$<TARGET_FILE:wend_cli>" "${man_folder}"
+          "$<TARGET_FILE:wend_bench_cli>" "${man_folder}"
   VERBATIM)
 if(WEND_DEBIAN)
-  add_custom_command(TARGET wend_cli POST_BUILD COMMAND gzip -9nrf "${man_folder}" VERBATIM)
+  add_custom_command(TARGET wend_bench_cli POST_BUILD COMMAND gzip -9nrf "${man_folder}" VERBATIM)
 endif()
 install(DIRECTORY "${man_folder}" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT program)

@@ -50,12 +50,15 @@ function(wend_add_module module)
     else()
       wend_precompile(wend_${module} standard)
     endif()
-    # A planner is one file, and is compiled alone when it changes. The more of an index is compiled
-    # together, the less of it is inlined where it looks paths up.
-    if(module STREQUAL "index")
-      wend_unite(wend_index WEND_UNITY 8)
-    elseif(NOT module STREQUAL "planner")
+    # The more of an index is compiled together, the less of it is inlined where it looks paths up. A change of one
+    # planner compiles those beside it again: the fewer the better.
+    if(module STREQUAL "index" OR module STREQUAL "planner")
+      wend_unite(wend_${module} WEND_UNITY 8)
+    else()
       wend_unite(wend_${module} WEND_UNITY)
+    endif()
+    if(${module} IN_LIST wend_cold_modules)
+      wend_compile_text(wend_${module})
     endif()
     # It gives a type of its anonymous namespace to a class of its header, which a unity source may not.
     if(module STREQUAL "render")

@@ -79,7 +79,7 @@ TEST(ColoursPage, ListsTheColoursOfPlots) {
                                  "dijkstra, p_moving",
                                  "jps, pid",
                                  "hub_labels, pure_pursuit",
-                                 "corner_hierarchy, stanley",
+                                 "stanley",
                                  "boost-astar",
                                  "greedy",
                                  "bfs",

@@ -65,7 +65,7 @@ TEST_F(BenchCommand, TakesTheScenariosOfFolders) {
 
 TEST_F(BenchCommand, BuildsAnIndexThatIsNotGivenBeforeItCounts) {
   const std::string file = scenario(kRight);
-  for (const char* planner : {"hub_labels", "corner_hierarchy", "euclidean_labels"}) {
+  for (const char* planner : {"hub_labels", "euclidean_labels"}) {
     const json row = rows({file, "--planner", planner}).at(0);
     EXPECT_EQ(row.at("wrong"), 0) << planner;
     EXPECT_EQ(row.at("solved"), 2) << planner;

@@ -119,7 +119,7 @@ TEST_F(Outside, CountsInChecksAndInTheCostOfKeepingAway) {
 TEST_F(Outside, IsPartOfWhatAnIndexIsFor) {
   const std::string index = folder_ / "metres.idx";
   ASSERT_EQ(wend({"index", "build", metres_, "--resolution", "0.1", "--robot-radius", "0.25",
-                  "--planner", "corner_hierarchy", "-o", index})
+                  "--planner", "hub_labels", "-o", index})
                 .code,
             0);
   const std::vector<std::string> query{"--start", "0.3,0.5", "--goal", "1.5,0.5", "--index", index};

@@ -37,7 +37,7 @@ TEST_F(Schema, IsTheFirstKeyOfEveryReport) {
         "plan grid.txt --start 1,1 --goal 99,7", "field grid.txt --goal 10,7 --start 1,1",
         "compare grid.txt --start 1,1 --goal 10,7", "explain grid.txt --start 1,1 --goal 10,7",
         "smooth grid.txt path.csv", "check grid.txt path.csv", "follow grid.txt --path path.csv",
-        "index build grid.txt --planner corner_hierarchy -o grid.idx", "index info grid.idx"}) {
+        "index build grid.txt --planner euclidean_labels -o grid.idx", "index info grid.idx"}) {
     const Outcome outcome = printed_by(command);
     EXPECT_THAT(outcome.out, StartsWith(R"({"schema":1,)")) << command << '\n' << outcome.err;
     EXPECT_TRUE(nlohmann::json::accept(outcome.out)) << command;

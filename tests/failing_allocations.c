@@ -82,26 +82,11 @@ enum { kSide = 24 };
 static uint8_t cells[kSide * kSide];
 static double terrain[kSide * kSide];
 
-static const char* const kPlanners[] = {"astar",
-                                        "dijkstra",
-                                        "alt",
-                                        "ara_star",
-                                        "jps",
-                                        "hub_labels",
-                                        "corner_hierarchy",
-                                        "any_angle",
-                                        "euclidean_labels",
-                                        "theta_star",
-                                        "lazy_theta_star",
-                                        "greedy",
-                                        "bfs",
-                                        "dfs",
-                                        "random_walk",
-                                        "replanner",
-                                        "d_star_lite",
-                                        "hybrid_astar",
-                                        "lattice",
-                                        "car"};
+static const char* const kPlanners[] = {
+    "astar",     "dijkstra",         "alt",        "ara_star",        "jps",          "hub_labels",
+    "any_angle", "euclidean_labels", "theta_star", "lazy_theta_star", "greedy",       "bfs",
+    "dfs",       "random_walk",      "replanner",  "d_star_lite",     "hybrid_astar", "lattice",
+    "car"};
 enum { kPlannerCount = sizeof kPlanners / sizeof *kPlanners };
 
 struct configuration {

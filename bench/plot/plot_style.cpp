@@ -11,12 +11,11 @@ namespace {
 constexpr std::size_t kColours = kLightPlot.names.size();
 
 /// Planners are never compared with controllers.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 26> kOwn{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 25> kOwn{{
     {"astar", 0},
     {"dijkstra", 1},
     {"jps", 2},
     {"hub_labels", 3},
-    {"corner_hierarchy", 4},
     {"boost-astar", 5},
     {"greedy", 6},
     {"bfs", 7},

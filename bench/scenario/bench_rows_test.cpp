@@ -158,7 +158,7 @@ TEST(BenchTable, HasTheRowsOfAScenarioBelowItsName) {
 }
 
 TEST(BenchTable, FitsEightyColumns) {
-  std::vector<BenchRow> rows{wide_row("corner_hierarchy"),
+  std::vector<BenchRow> rows{wide_row("euclidean_labels"),
                              wide_row("astar:weight=2,heuristic=euclidean")};
   rows[0].solved = 997;
   rows[0].timed_out = 3;

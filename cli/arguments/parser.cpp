@@ -54,6 +54,12 @@ Parser Parser::add_subcommand(const std::string& name, const std::string& descri
 
 void Parser::require_subcommand() { app_->require_subcommand(1); }
 
+void Parser::leave_all_words() {
+  app_->set_help_flag();
+  app_->set_help_all_flag();
+  app_->prefix_command();
+}
+
 Argument Parser::add_option(const std::string& flags, std::string& value, const std::string& help) {
   return Argument(*app_->add_option(flags, value, help));
 }

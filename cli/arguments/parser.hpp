@@ -69,6 +69,8 @@ class Parser {
   Parser add_subcommand(const std::string& name, const std::string& description);
   /// One of the subcommands must be named.
   void require_subcommand();
+  /// All words that follow, also --help, are left alone: another program reads them.
+  void leave_all_words();
 
   /// `flags` are "-o,--output", or a name without dashes for a positional argument.
   Argument add_option(const std::string& flags, std::string& value, const std::string& help);

@@ -54,7 +54,7 @@ Expected<GivenIndex, Error> read_given_index(const std::string& file);
 Expected<IndexBytes, Error> build_index(const PlannerInfo& planner, const FreeSpace& space,
                                         Workers& workers);
 
-/// "hub_labels or corner_hierarchy": the planners that can plan on an index.
+/// "hub_labels or euclidean_labels": the planners that can plan on an index.
 std::string planners_with_index();
 
 /// An index that was given with --index, or what is wrong with it.

@@ -3,8 +3,6 @@
 // A subcommand: its arguments, and what it does with them. One source file each.
 
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "cli/arguments/parser.hpp"
 
@@ -17,12 +15,8 @@ struct Command {
 
 Command add_plan(Parser& app);
 Command add_field(Parser& app);
-Command add_bench(Parser& app);
 Command add_index(Parser& app);
 Command add_planners(Parser& app);
-
-/// `plugins` are the files that were loaded.
-Command add_test_planner(Parser& app, const std::vector<std::string>& plugins);
 
 Command add_info(Parser& app);
 Command add_generate(Parser& app);
@@ -38,11 +32,5 @@ Command add_convert(Parser& app);
 Command add_check(Parser& app);
 Command add_smooth(Parser& app);
 Command add_follow(Parser& app);
-
-/// Completes the subcommands that have been added to `app` before.
-Command add_completion(Parser& app);
-
-/// Hidden: describes the subcommands of `app` as JSON.
-Command add_reference(Parser& app);
 
 }  // namespace wend::cli

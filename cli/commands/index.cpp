@@ -37,13 +37,13 @@ struct IndexInfoArguments {
 
 constexpr const char* kIndexExamples = R"(Examples:
   wend index build arena.map -o arena.idx
-  wend index build office.yaml --planner corner_hierarchy -o office.idx
+  wend index build office.yaml --planner euclidean_labels -o office.idx
   wend index info arena.idx
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30)";
 
 constexpr const char* kBuildExamples = R"(Examples:
   wend index build arena.map -o arena.idx
-  wend index build office.yaml --planner corner_hierarchy -o office.idx
+  wend index build office.yaml --planner euclidean_labels -o office.idx
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
 
 An index is valid for the cells where the robot fits: plan with the same map,

@@ -89,7 +89,7 @@ def test_a_time_limit_is_one_of_the_whole_call() -> None:
     cells[0] = 0
     space = wend.Map(cells).free_space()
     assert space.plan(START, GOAL).cost == 1450
-    for planner in ("alt", "hub_labels", "corner_hierarchy"):
+    for planner in ("alt", "hub_labels", "euclidean_labels"):
         begun = time.process_time()
         with pytest.raises(wend.Error) as caught:
             space.plan(START, GOAL, planner, time_limit=0.01)
@@ -109,7 +109,7 @@ def test_a_signal_stops_a_search_of_explore() -> None:
     check_usable(space)
 
 
-@pytest.mark.parametrize("planner", ["hub_labels", "corner_hierarchy"])
+@pytest.mark.parametrize("planner", ["hub_labels", "euclidean_labels"])
 def test_a_signal_stops_the_building_of_an_index(planner: str) -> None:
     cells = np.random.default_rng(1).random((700, 700)) < 0.3  # takes seconds
     space = wend.Map(cells.astype(np.int8)).free_space()

@@ -89,7 +89,7 @@ def test_tqdm_shows_bars(capsys: pytest.CaptureFixture[str]) -> None:
     assert "230/230" in written and "1/1" in written
 
 
-@pytest.mark.parametrize("planner", ["hub_labels", "corner_hierarchy", "euclidean_labels"])
+@pytest.mark.parametrize("planner", ["hub_labels", "euclidean_labels"])
 def test_index(planner: str, bars: list[Bar]) -> None:
     silent = wend.Index.build(SPACE, planner)
     assert bars == []

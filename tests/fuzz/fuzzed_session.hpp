@@ -47,7 +47,6 @@ inline constexpr std::array kFuzzedPlanners{
     FuzzedPlanner{"d_star_lite"},
     FuzzedPlanner{"jps:corner_rule=both"},
     FuzzedPlanner{"hub_labels", false, true},
-    FuzzedPlanner{"corner_hierarchy", false, true},
     FuzzedPlanner{"euclidean_labels", false, true},
     FuzzedPlanner{"lattice", true},
     FuzzedPlanner{"car", true},

@@ -148,7 +148,7 @@ TEST(Explorer, SaysWhatIsWrong) {
   EXPECT_EQ(message({0, 0}, {3, 0}, {.planner = {"theta_star"}}),
             "an explorer steps from cell to cell, which theta_star does not");
   EXPECT_EQ(message({0, 0}, {3, 0}, {.planner = {"replanner", {{"weight", "2"}}}}),
-            "unknown option 'weight': choose from connectivity, corner_rule, search");
+            "unknown option 'weight': choose from connectivity, corner_rule");
   EXPECT_EQ(message({0, 0}, {3, 0}, {.planner = {"astar", {{"connectivity", "5"}}}}),
             "option 'connectivity': '5' is not one of 4, 8");
   EXPECT_EQ(message({0, 0}, {3, 0}, {.known = test::drawn_map("..\n")}),

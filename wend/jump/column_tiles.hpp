@@ -42,8 +42,6 @@ class ColumnTiles {
   const std::uint64_t* line(int x) const {
     return words_.get() + static_cast<std::size_t>(x + 1) * line_words_;
   }
-  /// The number of words of a column.
-  std::size_t line_words() const { return line_words_; }
 
  private:
   [[gnu::noinline]] void prepare_around(std::size_t tile);

@@ -167,26 +167,11 @@ TEST(Dijkstra, TakesTheNearestOfSeveralGoals) {
 }
 
 TEST(Planners, AreListedInOrder) {
-  EXPECT_EQ(planners().names(), (std::vector<std::string>{"astar",
-                                                          "dijkstra",
-                                                          "alt",
-                                                          "ara_star",
-                                                          "jps",
-                                                          "hub_labels",
-                                                          "corner_hierarchy",
-                                                          "any_angle",
-                                                          "euclidean_labels",
-                                                          "theta_star",
-                                                          "lazy_theta_star",
-                                                          "greedy",
-                                                          "bfs",
-                                                          "dfs",
-                                                          "random_walk",
-                                                          "replanner",
-                                                          "d_star_lite",
-                                                          "hybrid_astar",
-                                                          "lattice",
-                                                          "car"}));
+  EXPECT_EQ(planners().names(),
+            (std::vector<std::string>{
+                "astar", "dijkstra", "alt", "ara_star", "jps", "hub_labels", "any_angle",
+                "euclidean_labels", "theta_star", "lazy_theta_star", "greedy", "bfs", "dfs",
+                "random_walk", "replanner", "d_star_lite", "hybrid_astar", "lattice", "car"}));
 }
 
 TEST(Planners, AnUnknownNameGetsASuggestion) {

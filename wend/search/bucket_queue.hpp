@@ -4,8 +4,8 @@
 //
 // Each bucket is last in, first out, so keys are ordered only between buckets: a search may have to expand a
 // state again, and has to go on until the bucket of its best goal is done. push() takes keys that do not fall
-// below the current bucket, push_anywhere() any. A window of kBuckets buckets holds the entries that are due soon, as lists; the others wait in one
-// far list, which is sorted into buckets when the window has come to its end. So keys can be any distance
+// below the current bucket. A window of kBuckets buckets holds the entries that are due soon, as lists; the others
+// wait in one far list, which is sorted into buckets when the window has come to its end. So keys can be any distance
 // ahead. A push or pop takes O(1), plus the search for the next bucket, 64 buckets at a time. Memory of
 // popped entries is used again; nothing is allocated once the queue has its final size.
 
@@ -60,14 +60,6 @@ class BucketQueue {
     links_[link] = {entry, heads_[bucket]};
     heads_[bucket] = link;
     occupied_[bucket / kWordBits] |= std::uint64_t{1} << (bucket % kWordBits);
-  }
-
-  /// The same for any key. O(entries) if the key is below the window.
-  void push_anywhere(std::uint64_t key, const Entry& entry) {
-    const std::uint64_t bucket = key >> width_bits_;
-    if (bucket < first_) rewind_window(bucket);
-    current_ = std::min<std::size_t>(current_, bucket - first_);
-    push(key, entry);
   }
 
   /// Goes on to the lowest bucket with entries, which pop() takes next, and returns the least key that it may
@@ -138,24 +130,6 @@ class BucketQueue {
         std::min_element(far_.begin(), far_.end(),
                          [](const FarEntry& a, const FarEntry& b) { return a.key < b.key; });
     begin_window(least->key >> width_bits_);
-  }
-
-  /// Begins the window so early that a lower bucket is in it, with room below.
-  [[gnu::noinline]] void rewind_window(std::uint64_t bucket) {
-    for (std::size_t word = 0; word < kWords; ++word) {
-      for (; occupied_[word] != 0; occupied_[word] &= occupied_[word] - 1) {
-        const auto at =
-            word * kWordBits + static_cast<std::size_t>(std::countr_zero(occupied_[word]));
-        const std::uint64_t key = (first_ + at) << width_bits_;
-        for (std::uint32_t link = heads_[at]; link != kNone; link = links_[link].next) {
-          far_.push_back({key, links_[link].entry});
-        }
-        heads_[at] = kNone;
-      }
-    }
-    links_.clear();
-    unused_ = kNone;
-    begin_window(bucket - std::min<std::uint64_t>(bucket, kBuckets / 4));
   }
 
   /// Moves the far entries that lie in a window from this bucket on into it.

@@ -15,7 +15,7 @@
 //
 // Links are how a state is reached, and what its node keeps of that: StepLinks, by a move from the state
 // that is expanded, or a choice of parents (links.hpp). The Store keeps the nodes: DenseNodes, one for each
-// state; PagedNodes or HashedNodes for spaces of which a search needs a small part.
+// state; PagedNodes for spaces of which a search needs a small part.
 
 #include <algorithm>
 #include <cstddef>
@@ -174,11 +174,6 @@ class ForwardSearch {
         nodes_.prefetch(space_.ahead(state, next));
       }
     });
-    if constexpr (requires { Links::connection(*this, state); }) {
-      if (const auto connection = Links::connection(*this, state)) {
-        reach_from(state, g, connection->to, kNoMove, connection->cost, observer);
-      }
-    }
     metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
   }
 

@@ -14,7 +14,6 @@
 
 #include "wend/base/random.hpp"
 #include "wend/search/frontiers.hpp"
-#include "wend/search/hashed_nodes.hpp"
 #include "wend/search/paged_nodes.hpp"
 
 namespace wend {
@@ -213,8 +212,6 @@ TEST(ForwardSearch, WithParentsInItsNodesExpandsTheSameStates) {
 TEST(ForwardSearch, WithOtherStoresExpandsTheSameStates) {
   expands_as_dijkstra_does<DijkstraIn<StepLinks, PagedNodes>>();
   expands_as_dijkstra_does<DijkstraIn<ParentLinks, PagedNodes>>();
-  expands_as_dijkstra_does<DijkstraIn<StepLinks, HashedNodes>>();
-  expands_as_dijkstra_does<DijkstraIn<ParentLinks, HashedNodes>>();
 }
 
 /// More than they have room for at first.
@@ -230,7 +227,6 @@ void reaches_many_states() {
 }
 
 TEST(ForwardSearch, WithPagedNodesReachesManyStates) { reaches_many_states<PagedNodes>(); }
-TEST(ForwardSearch, WithHashedNodesReachesManyStates) { reaches_many_states<HashedNodes>(); }
 
 /// A store without memory for more than ten states.
 template <class Node>
@@ -248,37 +244,6 @@ TEST(ForwardSearch, EndsWhenItsStoreHasNoMemoryLeft) {
   EXPECT_EQ(search.metrics().expanded, 10U);
   DijkstraIn<StepLinks, TenNodes> small(row_of(1000), CheapestFirst{9});
   EXPECT_EQ(search_from(small, {0}), SearchOutcome::found);
-}
-
-/// Every state is also connected to another one.
-struct Connected : ParentLinks {
-  static constexpr int kCost = 4;
-
-  static StateId other(StateId state, StateId count) { return (7 * state + 3) % count; }
-
-  static std::optional<Connection<StateId, int>> connection(const auto& search, StateId state) {
-    return Connection<StateId, int>{other(state, search.space().state_count()), kCost};
-  }
-};
-
-TEST(ForwardSearch, TakesConnectionsForSteps) {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    SCOPED_TRACE(seed);
-    Random random(seed);
-    Graph graph = random_graph(random);
-    ForwardSearch<Graph, HeapFrontier<int>, CheapestFirst, DuplicateRule::keep_cheaper, Connected>
-        search(graph, CheapestFirst{});
-    ASSERT_EQ(search_from(search, {0}), SearchOutcome::exhausted);
-    for (StateId id = 0; id < graph.state_count(); ++id) {
-      graph.add(id, Connected::other(id, graph.state_count()), Connected::kCost);
-    }
-    const auto costs = graph.costs_from({0}, false);
-    for (StateId id = 0; id < graph.state_count(); ++id) {
-      ASSERT_EQ(search.closed(id), costs[id] != Graph::kUnreached);
-      if (!search.closed(id)) continue;
-      EXPECT_EQ(search.g(id), costs[id]);
-    }
-  }
 }
 
 /// A detour that is cheaper, a dead end, and a state beyond the goal.

@@ -7,12 +7,8 @@
 // is not asked about successors that are closed. ParentLinks choose the state that is expanded, in
 // spaces with more moves than a MoveNode can number, or moves that cannot be undone.
 //
-// They may also have these functions; one that is not there costs nothing. planner/any_angle/ has examples.
-//
-// - settled(search, state): another link to a state that is about to be expanded, or none if it keeps the
+// They may also have settled(search, state), which costs nothing if it is not there: another link to a state that is about to be expanded, or none if it keeps the
 //   one that it has.
-// - connection(search, state): a way from a state that is expanded to another one, besides its successors,
-//   as a curve to the goal is; or none.
 
 #include <optional>
 
@@ -26,13 +22,6 @@ template <class Cost>
 struct Link {
   StateId parent;
   Cost g;
-};
-
-/// A way from the state that is expanded, and its own cost.
-template <class State, class Cost>
-struct Connection {
-  State to;
-  Cost cost;
 };
 
 /// By the space's moves, from the state that is expanded.

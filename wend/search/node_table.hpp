@@ -8,8 +8,7 @@
 //
 // A store keeps the nodes of all states. NodeTable has room for every state: the fastest. Its memory comes
 // zeroed from the system, and most systems allocate pages only for states that are touched. PagedNodes
-// (paged_nodes.hpp) allocates them itself, and HashedNodes (hashed_nodes.hpp) has room for the states that a
-// search reaches.
+// (paged_nodes.hpp) allocates them itself, for the states that a search reaches.
 //
 // Starting a search takes O(1): a node is valid only if its generation is the current one. When the
 // generations run out, the store is cleared once and they start again.

@@ -1,4 +1,4 @@
-// The stores of search nodes: NodeTable, PagedNodes and HashedNodes.
+// The stores of search nodes: NodeTable and PagedNodes.
 
 #include "wend/search/node_table.hpp"
 
@@ -6,11 +6,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <map>
-#include <unordered_map>
 #include <utility>
 
-#include "wend/base/random.hpp"
-#include "wend/search/hashed_nodes.hpp"
 #include "wend/search/paged_nodes.hpp"
 
 namespace wend {
@@ -132,15 +129,6 @@ RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithFewGenerations, ()) {
   behaves_like_a_map<NodeTable<MoveNode<int>, 3>>();
 }
 
-RC_GTEST_PROP(HashedNodes, BehavesLikeAMap, ()) {
-  behaves_like_a_map<HashedNodes<MoveNode<int>>>();
-  behaves_like_a_map<HashedNodes<ParentNode<int>>>();
-}
-RC_GTEST_PROP(HashedNodes, BehavesLikeAMapWithFewGenerations, ()) {
-  behaves_like_a_map<HashedNodes<ParentNode<int>, 1>>();
-  behaves_like_a_map<HashedNodes<MoveNode<int>, 3>>();
-}
-
 RC_GTEST_PROP(PagedNodes, BehavesLikeAMap, ()) {
   behaves_like_a_map<PagedNodes<MoveNode<int>>>();
   behaves_like_a_map<PagedNodes<ParentNode<int>>>();
@@ -148,33 +136,6 @@ RC_GTEST_PROP(PagedNodes, BehavesLikeAMap, ()) {
 RC_GTEST_PROP(PagedNodes, BehavesLikeAMapWithFewGenerations, ()) {
   behaves_like_a_map<PagedNodes<ParentNode<int>, 1>>();
   behaves_like_a_map<PagedNodes<MoveNode<int>, 3>>();
-}
-
-/// Any ids, near each other or far apart, and more of them than the table has room for at first.
-TEST(HashedNodes, GrowsAndKeepsWhatItHas) {
-  HashedNodes<ParentNode<double>> nodes;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    SCOPED_TRACE(seed);
-    Random random(seed);
-    nodes.begin_search();
-    std::unordered_map<StateId, double> model;
-    const std::uint64_t range = random.chance(0.5) ? 20000 : ~StateId{0};
-    for (int i = 0; i < 20000; ++i) {
-      const auto id = static_cast<StateId>(random.below(range));
-      nodes.open(*nodes.room_for(id), i, id / 2);
-      model[id] = i;
-    }
-    for (const auto& [id, g] : model) {
-      const auto& node = std::as_const(nodes)[id];
-      ASSERT_TRUE(nodes.reached(node));
-      EXPECT_EQ(node.g, g);
-      EXPECT_EQ(node.arrival(), id / 2);
-    }
-    for (int i = 0; i < 20000; ++i) {
-      const auto id = static_cast<StateId>(random.below(range));
-      EXPECT_EQ(nodes.reached(std::as_const(nodes)[id]), model.contains(id));
-    }
-  }
 }
 
 }  // namespace

@@ -197,8 +197,8 @@ TEST(SessionReplan, TakesTheReplannerOnlyWherePathsAreTheSame) {
   EXPECT_EQ(resuming(spec_of("jps"), costly).name, "jps") << "it refuses costs";
   for (const char* spec : {"astar:weight=2", "astar:neighbour_order=uldr", "dijkstra:ties=oldest",
                            "astar:connectivity=5", "alt", "d_star_lite", "replanner", "ara_star",
-                           "hub_labels", "corner_hierarchy", "any_angle", "theta_star", "greedy",
-                           "dfs", "random_walk", "hybrid_astar", "lattice", "car"}) {
+                           "hub_labels", "any_angle", "theta_star", "greedy", "dfs", "random_walk",
+                           "hybrid_astar", "lattice", "car"}) {
     EXPECT_EQ(resuming(spec_of(spec), uniform).name, spec_of(spec).name) << spec;
   }
   const PlannerSpec four = resuming(spec_of("astar:connectivity=4"), uniform);

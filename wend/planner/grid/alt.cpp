@@ -16,7 +16,7 @@ GridPlanner::Parts parts_before(const Deadline& deadline, const FreeSpace& space
   return leap_parts(space, parts, static_cast<unsigned>(options.landmarks), deadline);
 }
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const AltOptions& options) {
+GridPlanner::Parts alt_parts(const FreeSpace& space, const AltOptions& options) {
   return parts_before({}, space, options);
 }
 
@@ -25,8 +25,7 @@ PlannerResult make_within(const FreeSpace& space, const OptionValues& values,
   // An update later is not part of this call.
   const auto within = std::make_shared<const Deadline*>(&deadline);
   const auto parts = [within](const FreeSpace& other, const AltOptions& options) {
-    return *within == nullptr ? choose_parts(other, options)
-                              : parts_before(**within, other, options);
+    return *within == nullptr ? alt_parts(other, options) : parts_before(**within, other, options);
   };
   auto planner = grid_planner<AltOptions>({.name = "alt"}, parts).make(space, values);
   *within = nullptr;
@@ -60,7 +59,7 @@ PlannerInfo alt_planner() {
        .guarantee = Guarantee::optimal,
        .preprocessing = Preprocessing::quick,
        .capabilities = {.jumps = true, .terrain = true, .resumes = true}},
-      choose_parts);
+      alt_parts);
   info.make_within = make_within;
   return info;
 }

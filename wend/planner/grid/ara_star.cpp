@@ -73,7 +73,7 @@ std::unique_ptr<GridEngine> make_engine(const FreeSpace& space, const AraStarOpt
                                   AnytimeWeights{options.initial_weight, options.weight_step});
 }
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const AraStarOptions& options) {
+GridPlanner::Parts ara_star_parts(const FreeSpace& space, const AraStarOptions& options) {
   auto engine = space.uniform_terrain() ? make_engine<ExactGrid>(space, options)
                                         : make_engine<TerrainGrid>(space, options);
   return {options.moves, std::move(engine), Plan::kNoBound};
@@ -102,7 +102,7 @@ PlannerInfo ara_star_planner() {
                "work than astar.",
        .guarantee = Guarantee::bounded,
        .capabilities = {.terrain = true, .anytime = true}},
-      choose_parts);
+      ara_star_parts);
 }
 
 }  // namespace wend

@@ -7,7 +7,7 @@
 namespace wend {
 namespace {
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const AStarOptions& options) {
+GridPlanner::Parts astar_parts(const FreeSpace& space, const AStarOptions& options) {
   const BestFirst parts{options.moves,
                         resolved(options.heuristic.kind, options.moves.connectivity),
                         options.heuristic.constant,
@@ -42,7 +42,7 @@ PlannerInfo astar_planner() {
            "times as long.",
        .guarantee = Guarantee::bounded,
        .capabilities = {.leaps = true, .terrain = true}},
-      choose_parts);
+      astar_parts);
 }
 
 }  // namespace wend

@@ -20,7 +20,7 @@ double bound(const FreeSpace& space, const GridMoves& moves) {
   return moves.connectivity == Connectivity::four ? 1 : std::numbers::sqrt2;
 }
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const BfsOptions& options) {
+GridPlanner::Parts bfs_parts(const FreeSpace& space, const BfsOptions& options) {
   const GridMoves& moves = options.moves;
   if (options.neighbours != NeighbourOrder::any) {
     const SearchOrder order{options.neighbours, Ties::oldest};
@@ -50,7 +50,7 @@ PlannerInfo bfs_planner() {
        .when = "Where the number of moves matters, or on 4 neighbours and uniform terrain. On 8 "
                "neighbours a diagonal step counts as one step.",
        .guarantee = Guarantee::fewest_steps},
-      choose_parts);
+      bfs_parts);
 }
 
 }  // namespace wend

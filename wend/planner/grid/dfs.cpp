@@ -11,7 +11,7 @@ namespace {
 
 using DfsEngine = GridEngineOf<ExactGrid, LifoFrontier, ByArrival, DuplicateRule::keep_first>;
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const DfsOptions& options) {
+GridPlanner::Parts dfs_parts(const FreeSpace& space, const DfsOptions& options) {
   const GridMoves& moves = options.moves;
   if (options.neighbours != NeighbourOrder::any) {
     const SearchOrder order{options.neighbours, Ties::newest};
@@ -37,7 +37,7 @@ PlannerInfo dfs_planner() {
        .when = "For teaching, and for mazes with only one path. Not for robots: in open space its "
                "paths wander over the whole map.",
        .guarantee = Guarantee::complete},
-      choose_parts);
+      dfs_parts);
 }
 
 }  // namespace wend

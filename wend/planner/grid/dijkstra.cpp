@@ -7,7 +7,7 @@
 namespace wend {
 namespace {
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const DijkstraOptions& options) {
+GridPlanner::Parts dijkstra_parts(const FreeSpace& space, const DijkstraOptions& options) {
   return best_first_parts(space,
                           {options.moves, HeuristicKind::zero, 0, 0, options.leaps, options.order});
 }
@@ -30,7 +30,7 @@ PlannerInfo dijkstra_planner() {
        .when = "In mazes, and as a baseline; elsewhere astar expands fewer cells.",
        .guarantee = Guarantee::optimal,
        .capabilities = {.leaps = true, .terrain = true}},
-      choose_parts);
+      dijkstra_parts);
 }
 
 }  // namespace wend

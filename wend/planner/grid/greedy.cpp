@@ -12,7 +12,7 @@ namespace {
 using GreedyEngine = GridEngineOf<ExactGrid, HeapFrontier<RealKey<ExactGrid::Cost>>,
                                   RealEstimate<ExactGrid>, DuplicateRule::keep_first>;
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const GreedyOptions& options) {
+GridPlanner::Parts greedy_parts(const FreeSpace& space, const GreedyOptions& options) {
   const HeuristicKind kind = resolved(options.heuristic.kind, options.moves.connectivity);
   if (options.order.chosen()) {
     return {options.moves,
@@ -45,7 +45,7 @@ PlannerInfo greedy_planner() {
        .when = "Where time matters more than cost. Smooth its paths, or use astar with a weight, "
                "which has a bound.",
        .guarantee = Guarantee::complete},
-      choose_parts);
+      greedy_parts);
 }
 
 }  // namespace wend

@@ -156,7 +156,7 @@ class RandomWalk final : public GridEngine {
   SearchObserver* observer_ = nullptr;
 };
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const RandomWalkOptions& options) {
+GridPlanner::Parts random_walk_parts(const FreeSpace& space, const RandomWalkOptions& options) {
   return {kOrthogonal, std::make_unique<RandomWalk>(space, options), Plan::kNoBound};
 }
 
@@ -175,7 +175,7 @@ PlannerInfo random_walk_planner() {
        .bytes_per_cell = 8,
        .when = "As a baseline, and to test how a program handles failures. Not for robots.",
        .guarantee = Guarantee::none},
-      choose_parts);
+      random_walk_parts);
 }
 
 }  // namespace wend

@@ -228,7 +228,7 @@ class DStarLite final : public WholeSearch<DStarLite<Word, Units>, Word, Units> 
   StateId start_ = 0;
 };
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const DStarLiteOptions& options) {
+GridPlanner::Parts d_star_lite_parts(const FreeSpace& space, const DStarLiteOptions& options) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
   const BestFirst parts{options.moves, kind, 0, 1};
   if (!can_leap(space, parts)) return best_first_parts(space, parts);
@@ -242,7 +242,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const DStarLiteOptions& 
     return engine;
   };
   return cost_grid_parts(space, parts, engine_on, [options](const FreeSpace& other) {
-    return choose_parts(other, options);
+    return d_star_lite_parts(other, options);
   });
 }
 
@@ -268,7 +268,7 @@ PlannerInfo d_star_lite_planner() {
                "it searches anew, as astar.",
        .guarantee = Guarantee::optimal,
        .capabilities = {.terrain = true, .resumes = true}},
-      choose_parts);
+      d_star_lite_parts);
 }
 
 }  // namespace wend

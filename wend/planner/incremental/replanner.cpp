@@ -1,5 +1,4 @@
-// Replanning: keeps the last path while it is the cheapest, else repairs the last search or searches anew,
-// whichever is cheaper.
+// Replanning: keeps the last path while it is the cheapest, else searches anew.
 
 #include "wend/planner/grid/best_first.hpp"
 #include "wend/planner/incremental/incremental_options.hpp"
@@ -8,9 +7,9 @@
 namespace wend {
 namespace {
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const ReplannerOptions& options) {
+GridPlanner::Parts replanner_parts(const FreeSpace& space, const ReplannerOptions& options) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
-  return replan_parts(space, {options.moves, kind, 0, 1}, options.search);
+  return replan_parts(space, {options.moves, kind, 0, 1});
 }
 
 }  // namespace
@@ -18,26 +17,19 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const ReplannerOptions& 
 PlannerInfo replanner_planner() {
   return grid_planner<ReplannerOptions>(
       {.name = "replanner",
-       .summary = "Replanning: repairs its last path or search",
+       .summary = "Replanning: keeps its last path, or searches",
        .idea = "It first asks whether the rest of the last path can have become dearer, or another "
-               "one cheaper. "
-               "If so, it repairs the tree of its last search backwards from the goal, or searches "
-               "anew with "
-               "leaps, whichever has been cheaper; where every cell costs the same, it always "
-               "searches anew.",
-       .citation = "after Koenig, Likhachev 2002 (D* Lite) and Stentz 1995",
+               "one cheaper. If so, it searches anew with leaps.",
+       .citation = "after Stentz 1995",
        .guarantee_text = "optimal; on terrain at most 1.5e-6 of the cost more",
-       .time = "O(changes + the rest of the path) if the path is kept; else as astar with leaps, "
-               "or the part of "
-               "the tree that changed",
-       .memory = "21 bytes per cell; twice that if sums of costs outgrow 32 bits",
-       .bytes_per_cell = 21,
+       .time = "O(changes + the rest of the path) if the path is kept; else as astar with leaps",
+       .memory = "13 bytes per cell; twice that if sums of costs outgrow 32 bits",
+       .bytes_per_cell = 13,
        .when = "For a robot that drives while its map changes: keep the planner, and tell it of "
-               "edits. For single "
-               "queries take astar or jps.",
+               "edits. For single queries take astar or jps.",
        .guarantee = Guarantee::optimal,
        .capabilities = {.jumps = true, .terrain = true, .resumes = true}},
-      choose_parts);
+      replanner_parts);
 }
 
 }  // namespace wend

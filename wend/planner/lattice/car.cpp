@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-PlannerResult make(const FreeSpace& space, const OptionValues& values) {
+PlannerResult make_car(const FreeSpace& space, const OptionValues& values) {
   auto options = parse_options<CarOptions>(values);
   if (!options) {
     return Unexpected<Error>(options.error());
@@ -85,7 +85,7 @@ PlannerInfo car_planner() {
                        .terrain = true,
                        .can_step = true},
       .options = option_schema<CarOptions>(),
-      .make = make};
+      .make = make_car};
 }
 
 }  // namespace wend

@@ -32,7 +32,7 @@ Expected<MotionLattice, Error> lattice_of(const FreeSpace& space, const LatticeO
   return MotionLattice(space, *primitives, options.costs);
 }
 
-PlannerResult make(const FreeSpace& space, const OptionValues& values) {
+PlannerResult make_lattice(const FreeSpace& space, const OptionValues& values) {
   const auto options = parse_options<LatticeOptions>(values);
   if (!options) {
     return Unexpected<Error>(options.error());
@@ -82,7 +82,7 @@ PlannerInfo lattice_planner() {
       .preprocessing = Preprocessing::none,
       .capabilities = {.headings = true, .primitives = true, .terrain = true, .can_step = true},
       .options = option_schema<LatticeOptions>(),
-      .make = make};
+      .make = make_lattice};
 }
 
 }  // namespace wend

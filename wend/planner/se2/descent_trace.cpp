@@ -25,7 +25,7 @@ double DescentTrace::follow(Point from) {
     const Point next{point.x + step_ * way.x, point.y + step_ * way.y};
     if (!check_.free_space().contains(cell_at(next))) break;
     field_.settle(next);
-    const CostField::Value there = field_.at(next);
+    const CoarseCostField::Value there = field_.at(next);
     if (!there.exact || !(there.cost < cost)) break;
     point = next;
     cost = there.cost;

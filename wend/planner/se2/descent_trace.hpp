@@ -1,6 +1,6 @@
 #pragma once
 
-// DescentTrace: the way along which a CostField falls from a point on, for long steps of a search. The field knows
+// DescentTrace: the way along which a CoarseCostField falls from a point on, for long steps of a search. The field knows
 // only a robot that can turn on the spot; in narrow places the poses of the trace are moved and turned to where the
 // robot has more room.
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "wend/geometry/pose.hpp"
-#include "wend/space/se2/cost_field.hpp"
+#include "wend/space/se2/coarse_cost_field.hpp"
 #include "wend/space/se2/motion_check.hpp"
 
 namespace wend {
@@ -16,7 +16,7 @@ namespace wend {
 class DescentTrace {
  public:
   /// Points at a distance of `step` cells. Check and field must outlive the trace.
-  DescentTrace(const MotionCheck& check, CostField& field, double step)
+  DescentTrace(const MotionCheck& check, CoarseCostField& field, double step)
       : check_(check), field_(field), step_(step) {}
 
   /// Follows the descent from a point, and settles the field on the way; returns what is left of the cost at the last
@@ -43,7 +43,7 @@ class DescentTrace {
   double heading_with_most_room(const Pose& pose) const;
 
   const MotionCheck& check_;
-  CostField& field_;
+  CoarseCostField& field_;
   double step_;
   std::vector<TracePoint> points_;
 };

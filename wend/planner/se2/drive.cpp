@@ -25,7 +25,7 @@ double cost_behind(int& gear, const Motion& motion, double way, const Steering& 
 
 }  // namespace
 
-double cost_of(const Drive& drive, const MotionCheck& check, const Steering& steering) {
+double cost_of(const DrivenMotions& drive, const MotionCheck& check, const Steering& steering) {
   int gear = 0;
   double cost = 0;
   for (const DrivenMotion& driven : drive) {
@@ -35,7 +35,7 @@ double cost_of(const Drive& drive, const MotionCheck& check, const Steering& ste
   return cost;
 }
 
-void join(Drive& drive) {
+void join(DrivenMotions& drive) {
   constexpr double kSame = 1e-9;
   std::size_t count = 0;
   for (const DrivenMotion next : drive) {
@@ -57,7 +57,7 @@ void join(Drive& drive) {
 }
 
 /// Cuts a drive at its changes of motion and into pieces of at most the spacing.
-void DriveShortener::cut(const Drive& drive) {
+void DriveShortener::cut(const DrivenMotions& drive) {
   pieces_.clear();
   for (const DrivenMotion& driven : drive) {
     const double length = std::abs(driven.motion.length);
@@ -111,7 +111,7 @@ void DriveShortener::connect(std::size_t from, std::size_t to) {
 
 /// A knot keeps one way, whose gear may cost a change behind it, and a motion in pieces samples the ground at other
 /// places than the whole: so costs are compared at the end.
-void DriveShortener::shorten(Drive& drive) {
+void DriveShortener::shorten(DrivenMotions& drive) {
   if (drive.empty()) return;
   before_ = drive;
   cut(drive);
@@ -120,7 +120,7 @@ void DriveShortener::shorten(Drive& drive) {
   if (cost_of(drive, check_, steering_) > cost_of(before_, check_, steering_)) drive = before_;
 }
 
-void DriveShortener::take_cheapest(Drive& drive) {
+void DriveShortener::take_cheapest(DrivenMotions& drive) {
   knots_.clear();
   for (const DrivenMotion& piece : pieces_) knots_.push_back({piece.from});
   knots_.push_back({pose_after(pieces_.back().from, pieces_.back().motion)});

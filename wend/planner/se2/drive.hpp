@@ -19,13 +19,13 @@ struct DrivenMotion {
   Motion motion;
 };
 
-using Drive = std::vector<DrivenMotion>;
+using DrivenMotions = std::vector<DrivenMotion>;
 
 /// The cost of a drive that fits, in cells, with its changes of gear.
-double cost_of(const Drive& drive, const MotionCheck& check, const Steering& steering);
+double cost_of(const DrivenMotions& drive, const MotionCheck& check, const Steering& steering);
 
 /// Puts one motion where several of the same curvature follow each other.
-void join(Drive& drive);
+void join(DrivenMotions& drive);
 
 /// Makes drives cheaper: where a connection between two poses of a drive is cheaper than the drive between them, it
 /// takes that. As Dijkstra's algorithm over some poses of the drive and connections of some lengths. Keeps its memory.
@@ -36,7 +36,7 @@ class DriveShortener {
       : check_(check), steering_(steering), spacing_(spacing) {}
 
   /// The ends stay, and the drive costs at most as much as before.
-  void shorten(Drive& drive);
+  void shorten(DrivenMotions& drive);
 
  private:
   /// A pose of the drive, and the cheapest way to it that is known.
@@ -49,8 +49,8 @@ class DriveShortener {
     std::size_t way_size = 0;
   };
 
-  void cut(const Drive& drive);
-  void take_cheapest(Drive& drive);
+  void cut(const DrivenMotions& drive);
+  void take_cheapest(DrivenMotions& drive);
   void go_along(std::size_t from);
   void connect(std::size_t from, std::size_t to);
   bool is_worth(std::size_t from, std::size_t to, double cost) const;
@@ -58,8 +58,8 @@ class DriveShortener {
   const MotionCheck& check_;
   const Steering& steering_;
   double spacing_;
-  Drive pieces_;
-  Drive before_;
+  DrivenMotions pieces_;
+  DrivenMotions before_;
   std::vector<Knot> knots_;
 };
 

@@ -18,8 +18,8 @@ FreeSpace open_ground(Random& random) {
 }
 
 /// Arcs and lines in both gears, as far as the robot gets.
-Drive random_drive(Random& random, const MotionCheck& check, const Steering& steering) {
-  Drive drive;
+DrivenMotions random_drive(Random& random, const MotionCheck& check, const Steering& steering) {
+  DrivenMotions drive;
   Pose pose{30.5, 30.5, 2 * kPi * random.uniform() - kPi};
   if (!check.free_space().fits(pose)) return drive;
   for (int i = 0; i < 12; ++i) {
@@ -43,9 +43,9 @@ TEST(DriveShortener, NeverMakesADriveDearerAndKeepsItsEnds) {
         Random random(seed);
         const MotionCheck check(open_ground(random));
         const Steering steering(kind, 3, {.gear_change = gear_change});
-        const Drive drive = random_drive(random, check, steering);
+        const DrivenMotions drive = random_drive(random, check, steering);
         if (drive.empty()) continue;
-        Drive shorter = drive;
+        DrivenMotions shorter = drive;
         DriveShortener(check, steering, 4).shorten(shorter);
         const double before = cost_of(drive, check, steering);
         const double after = cost_of(shorter, check, steering);
@@ -71,12 +71,14 @@ TEST(DriveCost, CountsChangesOfGearButNotTurnsInPlace) {
       *make_free_space(*make_grid_map(Grid<CellState>(20, 20, CellState::free)), {}));
   const Steering steering(DriveKind::differential, 0, {.reverse = 2, .gear_change = 5, .spin = 1});
   const Pose from{10, 10, 0};
-  const Drive drive{{from, {2, 0, 0}}, {{12, 10, 0}, {0, 0.5, 0}}, {{12, 10, 0.5}, {-1, 0, 0}}};
+  const DrivenMotions drive{
+      {from, {2, 0, 0}}, {{12, 10, 0}, {0, 0.5, 0}}, {{12, 10, 0.5}, {-1, 0, 0}}};
   EXPECT_NEAR(cost_of(drive, check, steering), 2 + 0.5 + 2 + 5, 1e-9);
 }
 
 TEST(DriveJoin, PutsMotionsOfTheSameCurvatureTogether) {
-  Drive drive{{{0, 0, 0}, {1, 0.1, 0}}, {{}, {2, 0.2, 0}}, {{}, {1, 0, 0}}, {{}, {-1, 0, 0}}};
+  DrivenMotions drive{
+      {{0, 0, 0}, {1, 0.1, 0}}, {{}, {2, 0.2, 0}}, {{}, {1, 0, 0}}, {{}, {-1, 0, 0}}};
   join(drive);
   ASSERT_EQ(drive.size(), 3U);
   EXPECT_DOUBLE_EQ(drive[0].motion.length, 3);

@@ -52,7 +52,7 @@ class HybridPlanner final : public Planner {
   std::shared_ptr<const HybridGround> ground_;
   std::unique_ptr<HybridPortfolio> search_;
   std::unique_ptr<DriveShortener> shortener_;
-  Drive drive_;
+  DrivenMotions drive_;
   std::vector<HybridGoal> goals_;
 };
 

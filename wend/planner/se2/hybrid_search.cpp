@@ -74,7 +74,7 @@ void HybridSearch::begin(const Pose& first, std::span<const HybridGoal> goals,
   for (const HybridGoal& goal : goals_) seeds_.push_back(seed_of(goal));
   field_.begin(seeds_, start.point());
   field_.settle(start.point());
-  const CostField::Value h = estimate(start);
+  const CoarseCostField::Value h = estimate(start);
   if (!(h.cost < kNoWay)) return;
   nodes_.push_back({start, 0, h.cost, kNone, 0, 0, 0, h.exact, true, 0});
   seen_[start] = 0;
@@ -84,7 +84,7 @@ void HybridSearch::begin(const Pose& first, std::span<const HybridGoal> goals,
 }
 
 /// What the field knows of a goal: the cost of arriving with its heading, or the distance.
-CostField::Seed HybridSearch::seed_of(const HybridGoal& goal) const {
+CoarseCostField::Seed HybridSearch::seed_of(const HybridGoal& goal) const {
   if (goal.wants_heading() && ring_.reach() > 0) {
     return {goal.pose.point(),
             [this, &goal](Point point) { return ring_.least_cost(point, goal.pose); },
@@ -104,8 +104,8 @@ double HybridSearch::arrival(const Pose& pose, const HybridGoal& goal) const {
 }
 
 /// The cost of the way on the field, and of turning into it; near a goal, that of arriving there.
-CostField::Value HybridSearch::estimate(const Pose& pose) const {
-  CostField::Value value = field_.at(pose.point());
+CoarseCostField::Value HybridSearch::estimate(const Pose& pose) const {
+  CoarseCostField::Value value = field_.at(pose.point());
   if (!value.exact || !(value.cost < kNoWay)) return value;
   double arriving = kNoWay;
   for (const HybridGoal& goal : goals_) {
@@ -307,7 +307,7 @@ bool HybridSearch::add(Index parent, std::span<const Motion> motions, double cos
   if (exactly != nullptr) node.pose = *exactly;
   node.g = from.g + cost;
   if (node.g >= best_cost_) return false;
-  const CostField::Value h = estimate(node.pose);
+  const CoarseCostField::Value h = estimate(node.pose);
   node.h = h.cost;
   node.exact = h.exact;
   if (!(node.g + node.h < best_cost_)) return false;
@@ -422,7 +422,7 @@ void HybridSearch::offer_goal(Index node, const HybridGoal& goal) {
   best_goal_ = goal.index;
 }
 
-void HybridSearch::write_path(Drive& path) const {
+void HybridSearch::write_path(DrivenMotions& path) const {
   path.clear();
   for (Index i = best_; nodes_[i].parent != kNone; i = nodes_[i].parent) {
     const Node& node = nodes_[i];

@@ -23,7 +23,7 @@
 #include "wend/planner/se2/hybrid_resolution.hpp"
 #include "wend/planner/se2/pose_table.hpp"
 #include "wend/search/search_outcome.hpp"
-#include "wend/space/se2/cost_field.hpp"
+#include "wend/space/se2/coarse_cost_field.hpp"
 #include "wend/space/se2/goal_ring.hpp"
 #include "wend/space/se2/lattice_motions.hpp"
 #include "wend/space/se2/motion_check.hpp"
@@ -57,7 +57,7 @@ class HybridSearch {
   /// The index of the goal that the path reaches.
   std::size_t goal() const { return best_goal_; }
   /// Writes the motions of the path from the start on.
-  void write_path(Drive& path) const;
+  void write_path(DrivenMotions& path) const;
 
   const SearchMetrics& metrics() const { return metrics_; }
   /// The heuristic from a pose to the goals of the query; no more than is known of it.
@@ -89,8 +89,8 @@ class HybridSearch {
     }
   };
 
-  CostField::Value estimate(const Pose& pose) const;
-  CostField::Seed seed_of(const HybridGoal& goal) const;
+  CoarseCostField::Value estimate(const Pose& pose) const;
+  CoarseCostField::Seed seed_of(const HybridGoal& goal) const;
   double f_of(const Node& node) const { return node.g + resolution_.weight * node.h; }
   bool may_stop(double least_f) const;
 
@@ -124,14 +124,14 @@ class HybridSearch {
   HybridResolution resolution_;
   TurningCost turning_;
   const GoalRing& ring_;
-  CostField field_;
+  CoarseCostField field_;
   DescentTrace trace_;
   PoseTable seen_;
   PoseTable traced_;
   std::vector<Node> nodes_;
   std::vector<Motion> motions_;
   std::vector<Open> open_;
-  std::vector<CostField::Seed> seeds_;
+  std::vector<CoarseCostField::Seed> seeds_;
   std::span<const HybridGoal> goals_;
   SearchObserver* observer_ = nullptr;
   std::vector<Pose> way_;  // of the event that is told

@@ -3,7 +3,7 @@
 namespace wend {
 namespace {
 
-constexpr int kHeadings = 36;            // of a goal that may be reached with any
+constexpr int kHeadingsOfAny = 36;       // of a goal that may be reached with any
 constexpr std::size_t kFewPoses = 1000;  // so few that the motions may have been too long
 constexpr int kCloser = 2;               // how much finer the second look is
 constexpr int kMuchCloser = 4;           // the same after few poses
@@ -23,7 +23,7 @@ void PoseFlood::begin(std::span<const HybridGoal> goals) {
   origins_.clear();
   for (const HybridGoal& goal : goals) {
     Pose pose = goal.pose;
-    const int count = goal.any_heading ? kHeadings : 1;
+    const int count = goal.any_heading ? kHeadingsOfAny : 1;
     for (int i = 0; i < count; ++i) {
       pose.heading = wrapped_angle(goal.pose.heading + 2 * kPi * i / count);
       origins_.push_back(pose);

@@ -14,7 +14,7 @@
 namespace wend {
 namespace {
 
-constexpr double kRounding = 1e-6;  // cells, radians
+constexpr double kRoundingOfRest = 1e-6;  // cells, radians
 
 /// A line whose ends were rounded is no arc, which may cost more.
 Motion motion_between(const Pose& from, const Pose& to) {
@@ -24,8 +24,8 @@ Motion motion_between(const Pose& from, const Pose& to) {
   return {segment.length, turn, segment.course};
 }
 
-Drive drive_from(std::span<const Pose> poses, const PlaceOnDrive& place) {
-  Drive drive;
+DrivenMotions drive_from(std::span<const Pose> poses, const PlaceOnDrive& place) {
+  DrivenMotions drive;
   Pose from = place.pose;
   for (const Pose& to : poses.subspan(place.joint + 1)) {
     drive.push_back({from, motion_between(from, to)});
@@ -55,10 +55,10 @@ std::size_t first_free(std::span<const Pose> poses, const PlaceOnDrive& place,
 struct Tail {
   std::size_t first = 0;  // motion that is cut
   Pose knot;
-  Drive drive;
+  DrivenMotions drive;
 };
 
-Tail tail_after(const Drive& drive, double length) {
+Tail tail_after(const DrivenMotions& drive, double length) {
   Tail tail;
   std::size_t& i = tail.first;
   while (i < drive.size() && std::abs(drive[i].motion.length) <= length) {
@@ -79,12 +79,12 @@ Tail tail_after(const Drive& drive, double length) {
 }
 
 /// The cheapest connection to the tail, and the tail behind it.
-std::optional<Drive> connected(const Pose& robot, Tail tail, const MotionCheck& check,
-                               const Steering& steering) {
+std::optional<DrivenMotions> connected(const Pose& robot, Tail tail, const MotionCheck& check,
+                                       const Steering& steering) {
   std::array<Connection, 1> best;
   constexpr double kAnyCost = std::numeric_limits<double>::infinity();
   if (steering.connect(robot, tail.knot, 0, kAnyCost, best) == 0) return std::nullopt;
-  Drive drive;
+  DrivenMotions drive;
   Pose pose = robot;
   for (const Motion& motion : best[0].all()) {
     if (!check.fits(pose, motion)) return std::nullopt;
@@ -96,17 +96,18 @@ std::optional<Drive> connected(const Pose& robot, Tail tail, const MotionCheck& 
 }
 
 /// The cheapest drive back to the path and along it.
-std::optional<Drive> cheapest_connected(const Drive& drive, std::size_t free_from,
-                                        const PlaceOnDrive& place, const Pose& robot,
-                                        const MotionCheck& check, const Steering& steering) {
-  std::optional<Drive> best;
+std::optional<DrivenMotions> cheapest_connected(const DrivenMotions& drive, std::size_t free_from,
+                                                const PlaceOnDrive& place, const Pose& robot,
+                                                const MotionCheck& check,
+                                                const Steering& steering) {
+  std::optional<DrivenMotions> best;
   double least = std::numeric_limits<double>::infinity();
   const auto offer = [&](Tail tail) {
     if (tail.first < free_from) return;
     auto joined = connected(robot, std::move(tail), check, steering);
     if (!joined) return;
     const double cost = cost_of(*joined, check, steering);
-    if (cost >= least * (1 - kRounding)) return;
+    if (cost >= least * (1 - kRoundingOfRest)) return;
     least = cost;
     best = std::move(joined);
   };
@@ -127,13 +128,13 @@ std::optional<Drive> cheapest_connected(const Drive& drive, std::size_t free_fro
   return best;
 }
 
-Path path_of(const Pose& start, const Drive& drive, const Pose& end) {
+Path path_of(const Pose& start, const DrivenMotions& drive, const Pose& end) {
   Path path;
   path.drive_to(start);
   for (std::size_t i = 0; i < drive.size(); ++i) {
     const auto& [from, motion] = drive[i];
-    const auto parts =
-        std::max(1, static_cast<int>(std::ceil(std::abs(motion.turn) / (kPi / 2) - kRounding)));
+    const auto parts = std::max(
+        1, static_cast<int>(std::ceil(std::abs(motion.turn) / (kPi / 2) - kRoundingOfRest)));
     for (int part = 1; part < parts; ++part) {
       path.drive_to(pose_after(from, part_of(motion, static_cast<double>(part) / parts)));
     }
@@ -147,9 +148,9 @@ Path path_of(const Pose& start, const Drive& drive, const Pose& end) {
 std::optional<RestOfDrive> rest_of_drive(std::span<const Pose> poses, const PlaceOnDrive& place,
                                          const Pose& robot, const MotionCheck& check,
                                          const Steering& steering) {
-  Drive ahead = drive_from(poses, place);
+  DrivenMotions ahead = drive_from(poses, place);
   const std::size_t free_from = first_free(poses, place, check.free_space());
-  const bool on_path = place.distance < kRounding && place.turn < kRounding;
+  const bool on_path = place.distance < kRoundingOfRest && place.turn < kRoundingOfRest;
   if (on_path && free_from > 0) return std::nullopt;
   auto drive = on_path ? std::optional(std::move(ahead))
                        : cheapest_connected(ahead, free_from, place, robot, check, steering);

@@ -38,11 +38,6 @@ class CoarseGrid {
   /// From a square to the one above it.
   std::size_t stride() const { return stride_; }
 
-  /// The square that contains a point of the map.
-  std::size_t square_at(Point point) const {
-    return index(static_cast<int>(std::floor(point.x / size_)),
-                 static_cast<int>(std::floor(point.y / size_)));
-  }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row + 1) * stride_ + static_cast<std::size_t>(column + 1);
   }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
+#include "wend/space/se2/coarse_cost_field.hpp"
 #include "wend/space/se2/coarse_grid.hpp"
-#include "wend/space/se2/cost_field.hpp"
 
 namespace wend {
 namespace {
@@ -161,16 +161,16 @@ TEST(SquareCostField, IsNearTheDistanceAndItsBoundsHold) {
   const FreeSpace space = *make_free_space(
       *make_grid_map(Grid<CellState>(120, 90, CellState::free)), {.footprint = Footprint::disc(3)});
   const CoarseGrid grid(space, cells_to_drive_in(space), 3);
-  CostField field(grid);
+  CoarseCostField field(grid);
   const Point goal{20.5, 30.5};
-  const CostField::Seed seed{goal, [&](Point at) { return straight_distance(at, goal); }, 12};
+  const CoarseCostField::Seed seed{goal, [&](Point at) { return straight_distance(at, goal); }, 12};
   field.begin({&seed, 1}, {100, 70});
   field.settle({100, 70});
   for (double x = 10; x < 110; x += 7) {
     for (double y = 10; y < 80; y += 7) {
-      const CostField::Value before = field.at({x, y});
+      const CoarseCostField::Value before = field.at({x, y});
       field.settle({x, y});
-      const CostField::Value after = field.at({x, y});
+      const CoarseCostField::Value after = field.at({x, y});
       ASSERT_TRUE(after.exact);
       EXPECT_LE(before.cost, after.cost + 1e-3);
       const double line = straight_distance({x, y}, goal);
