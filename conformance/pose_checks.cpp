@@ -134,7 +134,7 @@ void examine_pose_answers(Examination& examination, std::uint64_t seed) {
     if (answer.status == Status::found) {
       examination.count_found();
       hold_to_its_poses(examination, answer.plan, query, planner->free_space(),
-                        std::max(planner->corner_unit(), 1));
+                        planner->place_grid().spacing);
       const SearchMetrics& metrics = answer.plan.metrics;
       // An anytime planner may expand a state again.
       if (metrics.generated < metrics.expanded && !planner->anytime()) {

@@ -157,15 +157,15 @@ std::map<std::string, Drive> drives_along(const Path& path, const FreeSpace& spa
 /// A free one, where such a planner has its states: anywhere, in the middle of a cell, at a vertex.
 Pose random_pose(Random& random, const FreeSpace& space, const Planner& planner,
                  const std::string& name) {
-  const double unit = planner.corner_unit();
+  const PlaceGrid places = planner.place_grid();
   for (;;) {
     Pose pose{random.uniform() * space.width(), random.uniform() * space.height(),
               normalized_angle(2 * kPi * random.uniform())};
-    if (name == "lattice")
-      pose = {std::floor(pose.x) + 0.5, std::floor(pose.y) + 0.5, pose.heading};
-    if (unit > 0)
-      pose = {unit * std::floor(pose.x / unit), unit * std::floor(pose.y / unit), pose.heading};
-    if (name != "hybrid_astar") pose.heading = kPi / 2 * std::round(pose.heading / (kPi / 2));
+    if (name != "hybrid_astar") {
+      const Point place = places.point(
+          {static_cast<int>(pose.x / places.spacing), static_cast<int>(pose.y / places.spacing)});
+      pose = {place.x, place.y, kPi / 2 * std::round(pose.heading / (kPi / 2))};
+    }
     if (space.fits(pose)) return pose;
   }
 }

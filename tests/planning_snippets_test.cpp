@@ -222,12 +222,12 @@ TEST(Snippets, OfSearchRecorderAndLayer) {
   const wend::Layer order = wend::search_layer(wend::LayerKind::expansion, planner, recorder);
   const double first = order.numbers[{1, 1}];  // 1: the start
   EXPECT_EQ(first, 1);
-  wend::SearchRecorder driven(space, 1);
+  wend::SearchRecorder driven(space, planner.place_grid());
   EXPECT_TRUE(driven.expansions().empty());
 }
 
 TEST(Snippets, OfMotionTree) {
-  wend::SearchRecorder recorder(open_ground(), 1);
+  wend::SearchRecorder recorder(open_ground());
   wend::Query query{{1.5, 1.5, 0}, {wend::Goal(wend::Pose{8.5, 5.5, 0})}};
   query.observer = &recorder;
   ASSERT_TRUE((*wend::make_planner("hybrid_astar", open_ground()))->plan(query));
@@ -265,12 +265,20 @@ TEST(Snippets, OfSceneOfADrive) {
   EXPECT_EQ(scene.lines.size(), 2U);
 }
 
+TEST(Snippets, OfPlaceGrid) {
+  const auto made = wend::make_planner("astar", open_ground());
+  const wend::Planner& planner = **made;
+  const wend::PlaceGrid places = planner.place_grid();
+  const wend::Point point = places.point({3, 2});  // grid coordinates
+  EXPECT_EQ(point, (wend::Point{3.5, 2.5}));
+}
+
 TEST(Snippets, OfSceneOfACar) {
   const wend::FreeSpace& space = open_ground();
   wend::Scene yard{.space = space};
   yard.path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
   yard.start = yard.path.poses().front();
-  yard.unit = 1;
+  yard.places = wend::corners_of(space);
   EXPECT_EQ(yard.start->point, (wend::Point{0, 0}));
   EXPECT_EQ(yard.start->heading, 0);
 }
@@ -337,7 +345,7 @@ TEST(Snippets, OfPosthocTrace) {
   planner.plan(query, plan);
   const std::string text = trace.finish(plan.path);
   EXPECT_NE(text.find("type: end"), std::string::npos);
-  wend::PosthocTrace driven(space, query, 1, wend::TraceForm::json, 100'000);
+  wend::PosthocTrace driven(space, query, wend::corners_of(space), wend::TraceForm::json, 100'000);
   EXPECT_NE(driven.finish({}).find("heading"), std::string::npos);
 }
 

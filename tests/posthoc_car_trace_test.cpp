@@ -49,7 +49,7 @@ std::string trace_of_a_drive(const FreeSpace& space, TraceForm form, int unit = 
   const CornerPose ahead = moved(start, CarMove::fwd, unit);
   const CornerPose goal = moved(ahead, CarMove::fwd_minus, unit);
   const Query query{pose_of(start), {pose_of(goal)}};
-  PosthocTrace trace(space, query, unit, form, kNoLimit);
+  PosthocTrace trace(space, query, corners_of(space, unit), form, kNoLimit);
   trace.on_generate(traced_drive(start, {}, 0));
   trace.on_expand(traced_drive(start, {}, 0));
   trace.on_generate(traced_drive(ahead, start, 1));
@@ -130,7 +130,7 @@ RC_GTEST_PROP(PosthocTraceOfACar, TellsEverySearchAsItWas, ()) {
   const int unit = random.between(1, 2);
   const auto planner = make_planner("car", space, {{"lattice_resolution", std::to_string(unit)}});
   if (!planner) RC_DISCARD("no room");
-  const auto drives = random_drives(space, unit, 1, seed);
+  const auto drives = random_drives(space, corners_of(space, unit), 1, seed);
   if (drives.empty()) RC_DISCARD("no corners");
   RC_LOG() << "seed " << seed << ", unit " << unit << '\n' << test::drawing_of(space.map());
   Query query = drives.front();
@@ -139,7 +139,7 @@ RC_GTEST_PROP(PosthocTraceOfACar, TellsEverySearchAsItWas, ()) {
   Plan plan;
   (*planner)->plan(query, plan);
   witness.close_last();
-  PosthocTrace trace(space, query, unit, TraceForm::json, kNoLimit);
+  PosthocTrace trace(space, query, corners_of(space, unit), TraceForm::json, kNoLimit);
   query.observer = &trace;
   (*planner)->plan(query, plan);
   const json told = json::parse(trace.finish(plan.path));
@@ -170,7 +170,7 @@ TEST(PosthocTraceOfACar, IsATraceInBothForms) {
 TEST(PosthocTraceOfACar, CountsCornersFromTheTopWhereYIsUp) {
   const FreeSpace space = *make_free_space(test::drawn_map("...\n...\n", {.y_up = true}));
   const Query query{{3, 2, 0}, {Goal(Point{0.4, -0.3})}};
-  PosthocTrace trace(space, query, 1, TraceForm::json, kNoLimit);
+  PosthocTrace trace(space, query, corners_of(space), TraceForm::json, kNoLimit);
   const json events = json::parse(trace.finish({})).at("events");
   EXPECT_EQ(events.at(0), json::parse(R"({"type":"source","id":46,"x":3,"y":0,"heading":"E"})"));
   ASSERT_EQ(events.size(), 5U) << "a goal with any heading is four";
@@ -182,7 +182,7 @@ TEST(PosthocTraceOfACar, CountsCornersFromTheTopWhereYIsUp) {
 TEST(PosthocTraceOfACar, LeavesOutWhatIsNotOnTheMap) {
   const FreeSpace space = test::open_space(2, 2);
   const Query query{{3, 0, 0}, {Goal(Point{1e30, 0}), Pose{0, -1, 0}}};
-  PosthocTrace trace(space, query, 1, TraceForm::json, kNoLimit);
+  PosthocTrace trace(space, query, corners_of(space), TraceForm::json, kNoLimit);
   EXPECT_EQ(json::parse(trace.finish({})).at("events"), json::array());
 }
 

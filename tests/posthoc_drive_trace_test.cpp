@@ -31,7 +31,7 @@ std::string drawing() {
 std::string driven_trace(const FreeSpace& space, TraceForm form) {
   const auto planner = make_planner("hybrid_astar", space, {{"turning_radius", "4"}}).value();
   const Query query{{5.5, 18.5, 0}, {Pose{30.5, 18.5, 0}}};
-  PosthocTrace trace(space, query, 0, form, kNoLimit);
+  PosthocTrace trace(space, query, cells_of(space), form, kNoLimit);
   Query observed = query;
   observed.observer = &trace;
   Plan plan;

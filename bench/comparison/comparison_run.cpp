@@ -148,7 +148,7 @@ GridMoves ComparisonRun::grid_moves(std::size_t planner) const {
 
 SearchRecorder ComparisonRun::record(std::size_t planner, std::size_t query) const {
   const Planner* const made = planners_[planner].planner();
-  SearchRecorder recorder(space_, made == nullptr ? 0 : made->corner_unit());
+  SearchRecorder recorder(space_, made == nullptr ? cells_of(space_) : made->place_grid());
   again(planner, query, &recorder);
   return recorder;
 }

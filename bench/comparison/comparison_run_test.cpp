@@ -90,7 +90,7 @@ TEST(RandomDrives, AreBetweenCornersWhereACarCanStand) {
     const FreeSpace space =
         *make_free_space(map, test::random_robot(random, map.frame().resolution));
     const int unit = random.between(1, 3);
-    const auto drives = random_drives(space, unit, 20, seed);
+    const auto drives = random_drives(space, corners_of(space, unit), 20, seed);
     const auto planner = make_planner("car", space, {{"lattice_resolution", std::to_string(unit)}});
     if (drives.empty()) continue;
     ASSERT_TRUE(planner);
@@ -112,7 +112,7 @@ TEST(RandomDrives, AreBetweenCornersWhereACarCanStand) {
 
 TEST(RandomDrives, FaceAllWaysAndComeAgainWithTheSameSeed) {
   const FreeSpace space = test::open_space(2, 1);
-  const auto drives = random_drives(space, 1, 500, 3);
+  const auto drives = random_drives(space, corners_of(space), 500, 3);
   std::set<std::array<double, 3>> starts;
   std::set<std::array<double, 3>> goals;
   for (const Query& query : drives) {
@@ -122,10 +122,12 @@ TEST(RandomDrives, FaceAllWaysAndComeAgainWithTheSameSeed) {
   }
   EXPECT_EQ(starts.size(), 24U);
   EXPECT_EQ(goals.size(), 24U);
-  const auto again = random_drives(space, 1, 500, 3);
+  const auto again = random_drives(space, corners_of(space), 500, 3);
   for (std::size_t i = 0; i < drives.size(); ++i) EXPECT_EQ(drives[i].start, again[i].start);
-  EXPECT_TRUE(random_drives(test::drawn_space("##\n"), 1, 5, 1).empty());
-  EXPECT_TRUE(random_drives(space, 5, 5, 1).empty()) << "no room for the lattice";
+  const FreeSpace walls = test::drawn_space("##\n");
+  EXPECT_TRUE(random_drives(walls, corners_of(walls), 5, 1).empty());
+  EXPECT_TRUE(random_drives(space, corners_of(space, 5), 5, 1).empty())
+      << "no room for the lattice";
 }
 
 TEST(ComparisonRun, EndsAtTheClosestPlaceAndLeadsOut) {

@@ -48,9 +48,9 @@ std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count,
   return connected_pairs(space.passable(), space.components(), Adjacency::edges, count, random);
 }
 
-std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t count,
-                                 std::uint64_t seed) {
-  const CarDriving driving{.unit = unit};
+std::vector<Query> random_drives(const FreeSpace& space, const PlaceGrid& corners,
+                                 std::uint64_t count, std::uint64_t seed) {
+  const CarDriving driving{.unit = corners.spacing};
   std::vector<Query> queries;
   if (!has_room_for(space.map(), driving)) return queries;
   const CarLattice lattice(space, driving);

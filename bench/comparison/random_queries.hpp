@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/robot/free_space.hpp"
 
@@ -23,9 +24,9 @@ std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count, 
 
 /// Queries for the car: from a lattice vertex and a heading to another vertex and a heading. Both
 /// vertices are free and connected if headings are ignored, so most queries have a path, but not all.
-/// The coordinates are multiples of `unit`, 1 or more. The same seed gives the same queries. Empty if
+/// All lie on these corners. The same seed gives the same queries. Empty if
 /// the map has no such pair. O(cells + count).
-std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t count,
-                                 std::uint64_t seed);
+std::vector<Query> random_drives(const FreeSpace& space, const PlaceGrid& corners,
+                                 std::uint64_t count, std::uint64_t seed);
 
 }  // namespace wend

@@ -85,8 +85,8 @@ Parts parts_of(const std::string& typed) {
 }
 
 TypedPose parse(const Coordinates& coordinates, const std::string& name, const std::string& typed,
-                const Parts& parts, PoseAnchor anchor) {
-  const bool of_cells = anchor == PoseAnchor::cell;
+                const Parts& parts, const PlaceGrid& places) {
+  const bool of_cells = !places.on_corners();
   Point point =
       coordinates.in_grid(coordinates.parse_point(name, parts.point, of_cells ? "cell" : "corner"));
   if (of_cells && !coordinates.metric()) point = {point.x + 0.5, point.y + 0.5};
@@ -189,9 +189,9 @@ ScenePlace TypedPose::place() const {
 }
 
 TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& typed,
-                           PoseAnchor anchor) {
+                           const PlaceGrid& places) {
   const Parts parts = parts_of(typed);
-  TypedPose pose = parse(coordinates, "start", typed, parts, anchor);
+  TypedPose pose = parse(coordinates, "start", typed, parts, places);
   if (!parts.heading) {
     throw InputError(
         fmt::format("--start: {} has no heading, and planners of poses need one, for example {},E; "
@@ -204,9 +204,9 @@ TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& ty
 }
 
 TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed,
-                          PoseAnchor anchor) {
+                          const PlaceGrid& places) {
   const Parts parts = parts_of(typed);
-  TypedPose pose = parse(coordinates, "goal", typed, parts, anchor);
+  TypedPose pose = parse(coordinates, "goal", typed, parts, places);
   if (!parts.heading || *parts.heading == kAny) return pose;
   pose.heading = parse_typed_heading(*parts.heading, coordinates.frame());
   if (!pose.heading) refuse_heading("goal", typed, *parts.heading, ", nor any");

@@ -15,6 +15,7 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/planner/plan.hpp"
@@ -92,15 +93,13 @@ struct TypedPose {
   ScenePlace place() const;
 };
 
-/// What whole numbers name: a cell, whose middle is meant, or a vertex where cells meet.
-enum class PoseAnchor { cell, corner };
-
-/// A start, which has a heading. Throws InputError for any other text.
+/// A start, which has a heading. Whole numbers name a cell, whose middle is meant, or a corner: what `places` are.
+/// Throws InputError for any other text.
 TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& typed,
-                           PoseAnchor anchor = PoseAnchor::corner);
+                           const PlaceGrid& places = {.offset = 0});
 
-/// A goal. Throws InputError for any other text.
+/// The same for a goal. Throws InputError for any other text.
 TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed,
-                          PoseAnchor anchor = PoseAnchor::corner);
+                          const PlaceGrid& places = {.offset = 0});
 
 }  // namespace wend::cli

@@ -45,18 +45,6 @@ PlannerSpec parse_planner(const std::string& text) {
 
 const PlannerInfo& info_of(const PlannerSpec& planner) { return *planners().find(planner.name); }
 
-int corner_unit_of(const PlannerSpec& planner, const Frame& frame) {
-  if (info_of(planner).capabilities.vertices != Vertices::corners) return 0;
-  std::int64_t unit = 1;
-  for (const auto& [name, value] : planner.options) {
-    if (name == "lattice_resolution" || name == "unit") {
-      unit = parse_integer<int>(value).value_or(1);
-    }
-    if (name == "turning_radius") unit = unit_for(parse_number(value).value_or(0), frame);
-  }
-  return static_cast<int>(std::max<std::int64_t>(unit, 1));
-}
-
 bool has_option(const std::vector<OptionInfo>& options, std::string_view name) {
   return std::ranges::find(options, name, &OptionInfo::name) != options.end();
 }

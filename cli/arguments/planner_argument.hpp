@@ -32,10 +32,6 @@ PlannerSpec parse_planner(const std::string& text);
 
 const PlannerInfo& info_of(const PlannerSpec& planner);
 
-/// Spacing of lattice vertices at corners in map cells, from the planner's options; 0 for planners with
-/// other vertices.
-int corner_unit_of(const PlannerSpec& planner, const Frame& frame);
-
 /// Has a planner or smoother an option of that name?
 bool has_option(const std::vector<OptionInfo>& options, std::string_view name);
 

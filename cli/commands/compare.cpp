@@ -95,14 +95,16 @@ std::vector<PlannerSpec> default_planners(const std::string& start, const FreeSp
   return specs;
 }
 
-/// The spacing of the lattice vertices that all planners share, in cells.
-int common_unit(const std::vector<PlannerSpec>& planners, const Frame& frame) {
-  std::int64_t unit = 1;
+/// Where the states of all planners may lie: on vertices that their lattices share.
+PlaceGrid common_places(const std::vector<PlannerSpec>& planners, const FreeSpace& space) {
+  std::int64_t spacing = 1;
   for (const PlannerSpec& planner : planners) {
-    unit = std::lcm(unit, std::max(corner_unit_of(planner, frame), 1));
-    unit = std::min<std::int64_t>(unit, std::numeric_limits<int>::max());  // no map is so large
+    const PlaceGrid places = places_of(info_of(planner), space, planner.options);
+    spacing = std::lcm(spacing, places.spacing);
+    spacing =
+        std::min<std::int64_t>(spacing, std::numeric_limits<int>::max());  // no map is so large
   }
-  return static_cast<int>(unit);
+  return corners_of(space, static_cast<int>(spacing));
 }
 
 void check(const CompareArguments& arguments) {
@@ -137,8 +139,8 @@ std::unique_ptr<TypedQuery> query_for(const PlannerSpec& planner, const CompareA
 std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
                                   const FreeSpace& space) {
   if (run.comparison().capabilities.headings) {
-    auto drives = random_drives(space, common_unit(run.planners(), space.map().frame()),
-                                arguments.random, arguments.seed);
+    auto drives = random_drives(space, common_places(run.planners(), space), arguments.random,
+                                arguments.seed);
     if (drives.empty())
       throw InputError("--random: no two lattice vertices of this map are connected");
     return drives;

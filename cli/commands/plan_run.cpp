@@ -27,6 +27,15 @@ namespace {
 
 constexpr int kRowsOfStep = 2;  // what is expanded, and the cursor
 
+/// Does a path come back to a cell that it has left?
+bool crosses_itself(const Path& path) {
+  std::vector<Cell> cells = path.passed_cells();
+  const auto repeated = std::ranges::unique(cells);
+  cells.erase(repeated.begin(), repeated.end());
+  std::ranges::sort(cells, {}, [](Cell cell) { return std::pair(cell.y, cell.x); });
+  return std::ranges::adjacent_find(cells) != cells.end();
+}
+
 }  // namespace
 
 void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan) {
@@ -82,7 +91,7 @@ void PlanRun::plan() {
   moves_ = (*planner_)->grid_moves().value_or(GridMoves{});
   refinement_.adjacency = moves_.adjacency();
   result_.states = (*planner_)->state_count();
-  result_.unit = (*planner_)->corner_unit();
+  result_.places = (*planner_)->place_grid();
   result_.anytime = (*planner_)->anytime();
   if (!arguments_.plot.empty() && !result_.anytime) {
     throw InputError(
@@ -302,8 +311,8 @@ void PlanRun::fail(Status status, std::string reason) {
   result_.reason = std::move(reason);
 }
 
-/// A random walk crosses itself, which arrows cannot show, and a search that was stopped has no
-/// path: the cells that they visited are shown instead.
+/// A path may cross itself, as a random walk does, which arrows cannot show, and a search that was stopped has no path:
+/// the cells that they visited are shown instead.
 Scene PlanRun::outcome() const {
   Scene scene = asked_->scene();
   if (result_.refined) {
@@ -315,8 +324,8 @@ Scene PlanRun::outcome() const {
     }
     return scene;
   }
-  const bool walked = spec_.name == "random_walk" && recorder_;
-  if (!walked && !result_.plan.path.empty()) {
+  const bool crosses = recorder_ && crosses_itself(result_.plan.path);
+  if (!crosses && !result_.plan.path.empty()) {
     scene.path = result_.plan.path;
   } else if (recorder_ && !recorder_->expansions().empty()) {
     scene.marked = {{CellRole::expanded, recorder_->snapshot().expanded}};

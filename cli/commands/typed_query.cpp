@@ -27,15 +27,13 @@ bool is_about_a_goal(Status status) {
          status == Status::unreachable;
 }
 
-PoseAnchor anchor_of(int unit) { return unit > 0 ? PoseAnchor::corner : PoseAnchor::cell; }
-
 }  // namespace
 
 std::unique_ptr<TypedQuery> typed_query(const PlannerSpec& planner, const FreeSpace& space,
                                         const Coordinates& coordinates, const EndArguments& ends) {
   if (info_of(planner).capabilities.headings) {
-    const int unit = corner_unit_of(planner, coordinates.frame());
-    return std::make_unique<PoseQuery>(space, coordinates, unit, ends);
+    const PlaceGrid places = places_of(info_of(planner), space, planner.options);
+    return std::make_unique<PoseQuery>(space, coordinates, places, ends);
   }
   return std::make_unique<CellQuery>(space, coordinates, ends);
 }
@@ -137,15 +135,15 @@ std::string CellQuery::summary(const PlanResult& result) const {
          plan_summary(result, space_.map().frame());
 }
 
-PoseQuery::PoseQuery(FreeSpace space, const Coordinates& coordinates, int unit,
+PoseQuery::PoseQuery(FreeSpace space, const Coordinates& coordinates, const PlaceGrid& places,
                      const EndArguments& ends)
     : space_(std::move(space)),
       coordinates_(coordinates),
-      unit_(unit),
-      start_(parse_start_pose(coordinates_, ends.start, anchor_of(unit))),
+      places_(places),
+      start_(parse_start_pose(coordinates_, ends.start, places)),
       tolerance_(parse_goal_tolerance(coordinates_, ends.tolerance)) {
   for (const std::string& goal : ends.goals) {
-    goals_.push_back(parse_goal_pose(coordinates_, goal, anchor_of(unit)));
+    goals_.push_back(parse_goal_pose(coordinates_, goal, places));
   }
 }
 
@@ -186,7 +184,7 @@ Scene PoseQuery::scene() const {
   Scene scene{.space = space_};
   scene.start = start_.place();
   for (const TypedPose& goal : goals_) scene.goals.push_back(goal.place());
-  if (unit_ > 0) scene.unit = unit_;
+  scene.places = places_;
   return scene;
 }
 
@@ -194,15 +192,15 @@ std::optional<CostToGo> PoseQuery::cost_to_go(GridMoves /*moves*/, const Limits&
   return std::nullopt;
 }
 
-SearchRecorder PoseQuery::recorder() const { return SearchRecorder(space_, unit_); }
+SearchRecorder PoseQuery::recorder() const { return SearchRecorder(space_, places_); }
 
 PosthocTrace PoseQuery::trace(TraceForm form, std::uint64_t most_events) const {
-  return {space_, query(), unit_, form, most_events};
+  return {space_, query(), places_, form, most_events};
 }
 
 std::string PoseQuery::steps(const Plan& plan, const Screen& /*screen*/) const {
   constexpr std::size_t kMostCommands = 400;
-  if (unit_ == 0 && plan.moves.size() > kMostCommands) return "";
+  if (!places_.on_corners() && plan.moves.size() > kMostCommands) return "";
   return drive_commands(plan, coordinates_.frame_of_texts());
 }
 

@@ -15,6 +15,7 @@
 #include "cli/watching/shown_layers.hpp"
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/analysis/search_recorder.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/render/scene.hpp"
@@ -113,8 +114,9 @@ class CellQuery final : public TypedQuery {
 /// Of a planner whose states have headings.
 class PoseQuery final : public TypedQuery {
  public:
-  /// `unit` is 0 where poses are in the middle of cells.
-  PoseQuery(FreeSpace space, const Coordinates& coordinates, int unit, const EndArguments& ends);
+  /// `places`: those of the planner.
+  PoseQuery(FreeSpace space, const Coordinates& coordinates, const PlaceGrid& places,
+            const EndArguments& ends);
 
   void check(const ShownLayers& layers) const override;
   Query query() const override;
@@ -132,7 +134,7 @@ class PoseQuery final : public TypedQuery {
  private:
   FreeSpace space_;
   Coordinates coordinates_;
-  int unit_;  // of a lattice of corners, in map cells; 0: cells
+  PlaceGrid places_;
   TypedPose start_;
   std::vector<TypedPose> goals_;
   GoalTolerance tolerance_;

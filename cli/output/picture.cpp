@@ -87,7 +87,8 @@ bool is_small(const GridMap& map, const Screen& screen) {
 }
 
 bool is_small(const Scene& scene, const Screen& screen) {
-  return fits_as_text(scene, small_columns(screen), scene.unit ? kSmallLatticeRows : kSmallRows);
+  return fits_as_text(scene, small_columns(screen),
+                      scene.places.on_corners() ? kSmallLatticeRows : kSmallRows);
 }
 
 SmallPicture small_picture(const Scene& scene, const Screen& screen) {

@@ -61,9 +61,9 @@ std::string steps_text(const Plan& plan) {
 }
 
 /// "0.4 m, 8 cells"
-std::string radius_text(int unit, const Coordinates& coordinates) {
-  const std::string cells = fmt::format("{} {}", unit, unit == 1 ? "cell" : "cells");
-  return coordinates.metric() ? fmt::format("{}, {}", coordinates.length(unit), cells) : cells;
+std::string radius_text(int radius, const Coordinates& coordinates) {
+  const std::string cells = fmt::format("{} {}", radius, radius == 1 ? "cell" : "cells");
+  return coordinates.metric() ? fmt::format("{}, {}", coordinates.length(radius), cells) : cells;
 }
 
 /// "1 cell and 40 degrees from what was asked"; empty for a mere rounding error.
@@ -184,7 +184,9 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
   return end_line("start", poses.front(), plan.start_snapping_error, 1, coordinates) +
          end_line("goal", poses.back(), plan.goal_snapping_error, goals, coordinates) +
          named_line("planner", result.planner) + named_line("steps", steps_text(plan)) +
-         (result.unit > 0 ? named_line("turns in", radius_text(result.unit, coordinates)) : "") +
+         (result.places.on_corners()
+              ? named_line("turns in", radius_text(result.places.spacing, coordinates))
+              : "") +
          named_line(result.cost_name, fmt::format("{:.6g}", plan.cost)) +
          named_line("length", length_text(plan.path.length(), frame)) + eased_lines(result, frame) +
          named_line("quality", bound_text(plan)) + solution_lines(result) +

@@ -47,7 +47,6 @@ struct PictureQuery {
   FreeSpace space;
   Query query;
   Scene scene;
-  int unit = 0;  // lattice resolution of a car; 0: cells
 };
 
 PictureQuery between_rooms() {
@@ -64,8 +63,8 @@ PictureQuery across_a_parking_lot() {
   Scene scene{.space = space};
   scene.start = start;
   scene.goals = {goal};
-  scene.unit = 1;
-  return {space, {start, {goal}}, std::move(scene), 1};
+  scene.places = corners_of(space);
+  return {space, {start, {goal}}, std::move(scene)};
 }
 
 Expected<Picture, Error> picture_of(const PlannerInfo& info) {
@@ -75,7 +74,7 @@ Expected<Picture, Error> picture_of(const PlannerInfo& info) {
   if (info.capabilities.primitives) options = {{"turning_radius", "2"}};
   const auto planner = info.make(asked.space, options);
   if (!planner) return failure(planner.error().status, info.name + ": " + planner.error().message);
-  SearchRecorder recorder(asked.space, asked.unit);
+  SearchRecorder recorder(asked.space, asked.scene.places);
   asked.query.observer = &recorder;
   Plan plan;
   const Status status = (*planner)->plan(asked.query, plan);

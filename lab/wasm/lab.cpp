@@ -27,12 +27,12 @@ Expected<OptionSpec, Error> spec_of(std::string_view text, std::string_view kind
   return std::move(specs->front());
 }
 
-/// The spacing of the lattice of a planner that stands on vertices, in cells; 0 for cells.
-int unit_of(Session& session, const PlannerSpec& spec) {
+/// Where the states of a planner lie; nothing is made of a planner on cells, whose making may take long.
+PlaceGrid places_in(Session& session, const PlannerSpec& spec) {
   const PlannerInfo* const info = planners().find(spec.name);
-  if (info == nullptr || !info->capabilities.headings) return 0;
-  const auto planner = session.planner(spec);
-  return planner ? (*planner)->corner_unit() : 0;
+  const auto space = session.free_space();
+  if (info == nullptr || !space) return {};
+  return places_of(*info, *space, spec.options);
 }
 
 }  // namespace
@@ -168,7 +168,7 @@ std::string Lab::plan(const Task& task) {
   }
   forget_search();
   if (task.record) {
-    replay_.begin(width_, height_, unit_of(session_, request.planner));
+    replay_.begin(width_, height_, places_in(session_, request.planner));
     request.observer = &replay_;
     if (planners().find(request.planner.name)->capabilities.anytime) {
       request.on_solution = [this](const Plan& plan) {

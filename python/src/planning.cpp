@@ -144,6 +144,10 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
       request_of(start, goals, settings_of(std::move(planner), options, time_limit, expansions),
                  tolerance, heading_tolerance);
   allow(request, {nearest, nearest_limit, escape, closest});
+  if (recording != nullptr) {
+    const PlannerInfo* const info = planners().find(request.planner.name);
+    recording->on_corners = info != nullptr && info->capabilities.vertices == Vertices::corners;
+  }
   request.observer = recording;
   request.explain = false;
   if (keep) request.keep = not_negative(*keep, "keep");

@@ -25,6 +25,7 @@ void Recording::add(EventKind kind, const SearchEvent& event) {
 void bind_trace(nb::module_& module) {
   nb::class_<Recording>(module, "Recording", "The events of a search, in columns.")
       .def(nb::init<>())
+      .def_ro("on_corners", &Recording::on_corners)
       .def("kinds",
            [](const Recording& events) {
              return owned_array<std::uint8_t, 1>(events.kinds, {events.kinds.size()});

@@ -25,6 +25,7 @@ class Recording final : public SearchObserver {
   std::vector<double> headings;       // NaN for planners on cells
   std::vector<double> ways;           // x, y, heading of the poses of all ways
   std::vector<std::uint64_t> ends;    // of each event's way among these poses
+  bool on_corners = false;            // are the cells corners of cells, where a car stands?
 
  private:
   void add(EventKind kind, const SearchEvent& event);

@@ -100,7 +100,7 @@ def _search_of(trace: Trace, layer: str, step: int) -> dict[str, Any]:
         "rows": rows,
         "columns": columns,
         "headings": bool(np.isfinite(trace._headings).any()),
-        "vertices": trace._on_vertices,
+        "vertices": trace._on_corners,
         "layer": layer,
         "step": step,
         "events": len(trace),

@@ -364,7 +364,7 @@ class FreeSpace:
             )
         except NoPath as no_path:
             failure = no_path
-        return Trace(map if plan is None else plan.map, recording, plan, failure, on_vertices=planner == "car")
+        return Trace(map if plan is None else plan.map, recording, plan, failure)
 
     @named_types
     def cost_to_go(

@@ -65,7 +65,7 @@ class Trace:
         "_ends",
         "_headings",
         "_kinds",
-        "_on_vertices",
+        "_on_corners",
         "_parents",
         "_shape",
         "_ways",
@@ -81,9 +81,7 @@ class Trace:
     failure: NoPath | None
     """Why there is none; None if there is a path."""
 
-    def __init__(
-        self, map: Map, recording: _core.Recording, plan: Plan | None, failure: NoPath | None, on_vertices: bool
-    ) -> None:
+    def __init__(self, map: Map, recording: _core.Recording, plan: Plan | None, failure: NoPath | None) -> None:
         self.map = map
         self.plan = plan
         self.failure = failure
@@ -94,7 +92,7 @@ class Trace:
         self._headings = recording.headings()
         self._ways = recording.ways()
         self._ends = recording.ends()
-        self._on_vertices = on_vertices
+        self._on_corners = recording.on_corners
         # The vertices of a car: one more than cells.
         largest = self._cells.max(axis=0) if len(self._cells) > 0 else np.zeros(2, dtype=np.int32)
         self._shape = (max(map.height, int(largest[1]) + 1), max(map.width, int(largest[0]) + 1))

@@ -64,7 +64,7 @@ TEST_F(Layers, OfTheOrderCountFromTheStart) {
 TEST(LayersOfPoses, OfTheOrderHaveTheMotionsToEachExpansion) {
   const FreeSpace space = test::open_space(20, 20);
   const auto planner = *make_planner("hybrid_astar", space, {{"turning_radius", "2"}});
-  SearchRecorder recorder(space, 1);
+  SearchRecorder recorder(space);
   Query query{{3.5, 3.5, 0}, {Goal(Pose{15.5, 12.5, 2})}};
   query.observer = &recorder;
   const Plan plan = *planner->plan(query);

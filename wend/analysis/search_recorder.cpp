@@ -20,17 +20,20 @@ SearchLayers empty_layers(int width, int height) {
 
 }  // namespace
 
-SearchRecorder::SearchRecorder(const FreeSpace& space, int unit)
-    : unit_(unit), layers_(empty_layers(space.width(), space.height())) {}
+SearchRecorder::SearchRecorder(const FreeSpace& space) : SearchRecorder(space, cells_of(space)) {}
+
+SearchRecorder::SearchRecorder(const FreeSpace& space, const PlaceGrid& places)
+    : reach_(places.on_corners() ? places.spacing : 0),
+      layers_(empty_layers(space.width(), space.height())) {}
 
 /// Visits the cell, or those that touch the corner.
 template <class Visit>
 void SearchRecorder::for_cells_at(Cell place, Visit&& visit) const {
-  if (unit_ == 0) return visit(place);
-  const int right = std::min(place.x + unit_, layers_.g.width());
-  const int bottom = std::min(place.y + unit_, layers_.g.height());
-  for (int y = std::max(place.y - unit_, 0); y < bottom; ++y) {
-    for (int x = std::max(place.x - unit_, 0); x < right; ++x) visit(Cell{x, y});
+  if (reach_ == 0) return visit(place);
+  const int right = std::min(place.x + reach_, layers_.g.width());
+  const int bottom = std::min(place.y + reach_, layers_.g.height());
+  for (int y = std::max(place.y - reach_, 0); y < bottom; ++y) {
+    for (int x = std::max(place.x - reach_, 0); x < right; ++x) visit(Cell{x, y});
   }
 }
 

@@ -9,15 +9,15 @@
 //   const auto plan = planner.plan(query);
 //   const std::uint32_t first = recorder.layers().expansion[{1, 1}];  // 1: the start
 //
-// A car stands on corners, where up to four cells meet (of a lattice with a unit of several cells:
+// A car stands on corners, where up to four cells meet (of a lattice with a spacing of several cells:
 // four squares of cells). All of them take what a search does there: a cell is reached when one of
 // its corners is, with any heading, and what is known of it is what is known of the cheapest state
 // around it. So it is where a robot has headings in the middle of cells.
 //
-//   wend::SearchRecorder driven(space, 1);
+//   wend::SearchRecorder driven(space, planner.place_grid());
 //
 // 25 bytes a cell, and 12 an expansion (of a planner of continuous poses, 20 and 24 a pose); an event of a car takes
-// O(unit^2). A recorder is for one
+// O(spacing^2). A recorder is for one
 // search; clear() makes it ready for the next. One thread.
 
 #include <cstddef>
@@ -27,6 +27,7 @@
 
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/direction.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/path/motion_tree.hpp"
@@ -55,9 +56,10 @@ struct SearchSnapshot {
 
 class WEND_API SearchRecorder final : public SearchObserver {
  public:
-  /// For searches on that space: from cell to cell, or, with a unit of 1 or more, for a car on the
-  /// lattice vertices whose coordinates are multiples of the unit.
-  explicit SearchRecorder(const FreeSpace& space, int unit = 0);
+  /// For searches on that space, from cell to cell.
+  explicit SearchRecorder(const FreeSpace& space);
+  /// The same for a planner with these places: Planner::place_grid().
+  SearchRecorder(const FreeSpace& space, const PlaceGrid& places);
 
   /// Writes down that a state was reached for the first time.
   void on_generate(const SearchEvent& event) override;
@@ -92,7 +94,7 @@ class WEND_API SearchRecorder final : public SearchObserver {
   void for_cells_at(Cell place, Visit&& visit) const;
   void write_down(const SearchEvent& event);
 
-  int unit_;  // 0: cells
+  int reach_;  // cells on each side of a vertex that it stands for; 0: places are cells
   SearchLayers layers_;
   std::vector<Cell> expansions_;
   MotionTree motions_;

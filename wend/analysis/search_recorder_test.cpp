@@ -58,7 +58,8 @@ std::string text_of(const SearchSnapshot& snapshot) {
 }
 
 TEST(SearchRecorderOfACar, TellsOfTheCellsAroundACorner) {
-  SearchRecorder recorder(test::open_space(4, 3), 1);
+  const FreeSpace space = test::open_space(4, 3);
+  SearchRecorder recorder(space, corners_of(space));
   recorder.on_generate(event_at({0, 0}, 0));
   recorder.on_expand(event_at({0, 0}, 0));
   recorder.on_generate(event_at({1, 1}, 2, Cell{0, 0}));
@@ -74,7 +75,8 @@ TEST(SearchRecorderOfACar, TellsOfTheCellsAroundACorner) {
 }
 
 TEST(SearchRecorderOfACar, FillsTheSquaresOfItsUnitAndWhatIsLeftAtTheEdge) {
-  SearchRecorder recorder(test::open_space(5, 4), 2);
+  const FreeSpace space = test::open_space(5, 4);
+  SearchRecorder recorder(space, corners_of(space, 2));
   recorder.on_generate(event_at({4, 2}, 1));
   EXPECT_EQ(text_of(recorder.layers().generation), "..111\n..111\n..111\n..111\n");
   recorder.on_generate(event_at({0, 4}, 1));
@@ -82,7 +84,8 @@ TEST(SearchRecorderOfACar, FillsTheSquaresOfItsUnitAndWhatIsLeftAtTheEdge) {
 }
 
 TEST(SearchRecorderOfACar, KeepsTheCheapestStateAroundACell) {
-  SearchRecorder recorder(test::open_space(2, 1), 1);
+  const FreeSpace space = test::open_space(2, 1);
+  SearchRecorder recorder(space, corners_of(space));
   recorder.on_generate(event_at({1, 0}, 5, Cell{0, 0}));
   recorder.on_generate(event_at({1, 1}, 4, Cell{1, 0}));
   recorder.on_generate(event_at({1, 1}, 7, Cell{0, 0}));  // facing elsewhere
@@ -97,7 +100,8 @@ TEST(SearchRecorderOfACar, KeepsTheCheapestStateAroundACell) {
 }
 
 TEST(SearchRecorderOfACar, CountsEveryStateOfACorner) {
-  SearchRecorder recorder(test::open_space(3, 1), 1);
+  const FreeSpace space = test::open_space(3, 1);
+  SearchRecorder recorder(space, corners_of(space));
   recorder.on_generate(event_at({0, 0}, 0));
   recorder.on_generate(event_at({0, 0}, 1, Cell{1, 0}));
   recorder.on_expand(event_at({0, 0}, 0));
@@ -181,7 +185,8 @@ RC_GTEST_PROP(SearchRecorderOfACar, KnowsOfACellWhatItsCornersSay, ()) {
   const int height = random.between(1, 9);
   const int unit = random.between(1, 5);
   const auto entries = random_entries(random, width, height, unit);
-  SearchRecorder recorder(test::open_space(width, height), unit);
+  const FreeSpace space = test::open_space(width, height);
+  SearchRecorder recorder(space, corners_of(space, unit));
   std::vector<std::size_t> ends;  // how many events there were before each expansion
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& [kind, event] = entries[i];

@@ -19,32 +19,11 @@
 #include "wend/base/compiler.hpp"
 #include "wend/base/status.hpp"
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
-
-/// Place (i, j) is the point (offset + spacing i, offset + spacing j), in cells.
-struct PlaceGrid {
-  double offset = 0;
-  int spacing = 1;
-  int columns = 0;
-  int rows = 0;
-
-  Point point(Cell place) const { return {offset + spacing * place.x, offset + spacing * place.y}; }
-  /// The place whose point is nearest, on the grid or not. The point is_near_a_map().
-  Cell nearest(Point point) const {
-    return {static_cast<int>(std::round((point.x - offset) / spacing)),
-            static_cast<int>(std::round((point.y - offset) / spacing))};
-  }
-
-  friend bool operator==(const PlaceGrid&, const PlaceGrid&) = default;
-};
-
-/// The centres of cells.
-inline PlaceGrid cells_of(const FreeSpace& space) {
-  return {.offset = 0.5, .spacing = 1, .columns = space.width(), .rows = space.height()};
-}
 
 class GoalRegion {
  public:

@@ -21,6 +21,7 @@
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/status.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/planner/leaving_motion.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
@@ -108,8 +109,8 @@ class WEND_API Planner {
     return do_motions_from(place, most);
   }
 
-  /// Spacing of the car's lattice in cells; 0 for grid planners.
-  int corner_unit() const { return do_corner_unit(); }
+  /// Where its states lie: in the middles of cells, or on the vertices of its lattice.
+  PlaceGrid place_grid() const { return do_place_grid(); }
 
   /// Another planner with the same options on the same FreeSpace, for another thread. It shares what
   /// this one has prepared (jump points, an index, a lattice), and has its own memory for searches: if
@@ -162,7 +163,7 @@ class WEND_API Planner {
   virtual std::vector<LeavingMotion> do_motions_from(const Pose& /*place*/, double /*most*/) const {
     return {};
   }
-  virtual int do_corner_unit() const { return 0; }
+  virtual PlaceGrid do_place_grid() const { return cells_of(free_space()); }
   virtual std::unique_ptr<Planner> do_clone() const = 0;
   /// Why the planner cannot plan on the new free_space(), if it cannot.
   virtual std::optional<Error> do_update(const SpaceChange& change) = 0;

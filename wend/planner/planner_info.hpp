@@ -16,6 +16,7 @@
 #include "wend/base/deadline.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/planner/capabilities.hpp"
 #include "wend/robot/free_space.hpp"
 
@@ -88,8 +89,17 @@ struct PlannerInfo {
   std::function<PlannerResult(const FreeSpace&, const OptionValues&, const Deadline&)> make_within =
       {};
 
+  /// Where the states of a planner with these options will lie; null: in the middles of cells.
+  std::function<PlaceGrid(const FreeSpace&, const OptionValues&)> places = {};
+
   /// Builds and opens the planner's index; null for planners without an index.
   std::shared_ptr<const IndexSupport> index_support = nullptr;
 };
+
+/// Planner::place_grid() of a planner that need not be made.
+inline PlaceGrid places_of(const PlannerInfo& info, const FreeSpace& space,
+                           const OptionValues& options) {
+  return info.places ? info.places(space, options) : cells_of(space);
+}
 
 }  // namespace wend

@@ -33,7 +33,7 @@ inline CarMove move_on_page(CarMove move, const Frame& frame) {
 
 inline Scene car_on(FreeSpace space, Path path) {
   Scene scene{.space = std::move(space)};
-  scene.unit = 1;
+  scene.places = corners_of(scene.space);
   scene.path = std::move(path);
   return scene;
 }

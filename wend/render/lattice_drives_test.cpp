@@ -184,7 +184,7 @@ RC_GTEST_PROP(LatticePicture, IsAsciiOfTheSameSizeWhereThatIsWanted, ()) {
 RC_GTEST_PROP(LatticePicture, StaysWithinItsColumnsAndRowsAndNumbersCornersApart, ()) {
   Scene scene{.space = *make_free_space(*make_grid_map(
                   Grid<CellState>(*rc::gen::inRange(1, 150), *rc::gen::inRange(1, 60))))};
-  scene.unit = *rc::gen::inRange(1, 12);
+  scene.places = corners_of(scene.space, *rc::gen::inRange(1, 12));
   const int columns = *rc::gen::inRange(1, 120);
   const int rows = *rc::gen::inRange(1, 60);
   RC_PRE(fits_as_text(scene, columns, rows));
@@ -194,7 +194,7 @@ RC_GTEST_PROP(LatticePicture, StaysWithinItsColumnsAndRowsAndNumbersCornersApart
   RC_ASSERT(picture.height() <= rows);
   std::istringstream line(text.substr(0, text.find('\n')));
   const std::vector<int> numbers{std::istream_iterator<int>(line), {}};
-  const int last = scene.space.width() / *scene.unit * *scene.unit;
+  const int last = scene.space.width() / scene.places.spacing * scene.places.spacing;
   const int step = numbers.size() > 1 ? numbers[1] : last + 1;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     RC_ASSERT(numbers[i] == static_cast<int>(i) * step);

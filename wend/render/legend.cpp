@@ -78,11 +78,11 @@ void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   const auto add = [&](const Colour& colour, const char* label, char character) {
     items.push_back({Swatch::cell, colour, label, {}, character});
   };
-  if (scene.unit && scene.space.obstacles().blocked().count() > 0)
+  if (scene.places.on_corners() && scene.space.obstacles().blocked().count() > 0)
     add(style.occupied, "obstacle", '#');
   if (has_cells_too_close(scene)) add(style.too_close, "too close", ':');
   if (!scene.heatmap && !scene.space.map().uniform_terrain()) {
-    add(style.rough(kTypicallyRough), scene.unit ? "rough road" : "rough", '~');
+    add(style.rough(kTypicallyRough), scene.places.on_corners() ? "rough road" : "rough", '~');
     if (style.stripes_all_rough) {
       items.back().stripes = {style.rough(kTypicallyRough), style.stripe(kTypicallyRough)};
     }

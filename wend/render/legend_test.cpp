@@ -36,7 +36,7 @@ TEST(Legend, ExplainsAllThatOccurs) {
 
 TEST(Legend, TellsHowACarDrivesThroughAYard) {
   Scene scene{.space = *make_free_space(map_of({"#2.", "..."}))};
-  scene.unit = 1;
+  scene.places = corners_of(scene.space);
   scene.path = Path::through({{1, 1, 0}, {2, 1, 0}, {1, 1, 0}});
   scene.start = scene.path.poses().front();
   EXPECT_EQ(labels_of(scene), (std::vector<std::string>{"start", "driven ahead", "in reverse",

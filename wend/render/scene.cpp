@@ -32,7 +32,7 @@ Scene scene_of(FreeSpace space, Path path) {
   const auto mark_poses = [&](const JoinedPoses& joined) {
     scene.start = joined.poses().front();
     scene.goals = {joined.poses().back()};
-    scene.unit = 1;
+    scene.places = corners_of(scene.space);
   };
   path.visit(mark_poses, [&](const auto&) {
     const std::vector<Point> points = path.points();

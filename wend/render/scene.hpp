@@ -21,7 +21,7 @@
 //   wend::Scene yard{.space = space};
 //   yard.path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
 //   yard.start = yard.path.poses().front();
-//   yard.unit = 1;
+//   yard.places = wend::corners_of(space);
 //
 // The planned, smoothed and driven path are lines, each in its own colour:
 //
@@ -40,6 +40,7 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/compass.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
@@ -117,7 +118,7 @@ struct Scene {
   std::vector<Cell> nearest_free{};    // free cells nearest to a blocked start or goal
   std::optional<Point> collision{};    // grid coordinates: where the robot collides
   std::optional<Pose> robot{};         // grid coordinates: where the robot is, drawn to scale
-  std::optional<int> unit{};           // for a car: its lattice resolution in cells, 1 or more
+  PlaceGrid places{};                  // of the planner: a car stands on corners
 };
 
 /// The order of the drawn rows of a map: row 0 at the top, or at the bottom if the map has y up.

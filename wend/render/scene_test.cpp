@@ -12,7 +12,7 @@ TEST(Scene, MarksTheEndsOfAPathOfCells) {
   EXPECT_EQ(scene.start, ScenePlace(Point{0.5, 0.5}));
   EXPECT_EQ(scene.goals, (std::vector<ScenePlace>{Point{1.5, 0.5}}));
   EXPECT_EQ(scene.path.size(), 2U);
-  EXPECT_FALSE(scene.unit);
+  EXPECT_FALSE(scene.places.on_corners());
 }
 
 TEST(Scene, MarksTheEndsOfACarsPathWithTheirHeadings) {
@@ -20,7 +20,7 @@ TEST(Scene, MarksTheEndsOfACarsPathWithTheirHeadings) {
       scene_of(*make_free_space(map_of({"..."})), Path::through({{0, 0, 0}, {1, 1, kPi / 2}}));
   EXPECT_EQ(scene.start, ScenePlace(Pose{0, 0, 0}));
   EXPECT_EQ(scene.goals, (std::vector<ScenePlace>{Pose{1, 1, kPi / 2}}));
-  EXPECT_EQ(scene.unit, 1);
+  EXPECT_EQ(scene.places, corners_of(scene.space));
 }
 
 TEST(Scene, MarksTheEndsOfItsLastLine) {

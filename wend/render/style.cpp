@@ -149,7 +149,7 @@ Style style_of(StyleName name) {
 
 Style style_for(const Scene& scene, const Style& style) {
   Style shown = style;
-  if (scene.unit && !scene.heatmap) shown.occupied = style.yard_occupied;
+  if (scene.places.on_corners() && !scene.heatmap) shown.occupied = style.yard_occupied;
   return shown;
 }
 

@@ -130,7 +130,7 @@ void expect_all_apart(const std::vector<Named>& colours, double least, std::stri
 /// The style in which a car's plan is drawn.
 Style yard_style(StyleName name) {
   Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(1, 1)))};
-  scene.unit = 1;
+  scene.places = corners_of(scene.space);
   return style_for(scene, style_of(name));
 }
 
@@ -256,7 +256,7 @@ TEST(Style, KeepsItsColoursWithoutACarAndBesideHeat) {
   Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(1, 1)))};
   const Style style;
   EXPECT_EQ(style_for(scene, style).occupied, style.occupied);
-  scene.unit = 1;
+  scene.places = corners_of(scene.space);
   EXPECT_EQ(style_for(scene, style).occupied, style.yard_occupied);
   scene.heatmap = {"cost", Grid<double>(1, 1)};
   EXPECT_EQ(style_for(scene, style).occupied, style.occupied);

@@ -42,9 +42,9 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   put_shifts(json, result.plan, frame);
   if (result.capabilities.headings) {
     json["steps_in_reverse"] = found ? Json(steps_in_reverse(result.plan)) : Json();
-    if (result.unit > 0) {
-      json["turning_radius_cells"] = result.unit;
-      json["turning_radius_m"] = result.unit * frame.resolution;
+    if (result.places.on_corners()) {
+      json["turning_radius_cells"] = result.places.spacing;
+      json["turning_radius_m"] = result.places.spacing * frame.resolution;
     }
     json["states"] = result.states;
   }

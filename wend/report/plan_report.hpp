@@ -71,6 +71,7 @@
 #include "wend/analysis/layer.hpp"
 #include "wend/base/status.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/planner/plan.hpp"
@@ -119,7 +120,7 @@ struct PlanResult {
   std::optional<LeadOut>
       lead_out{};  // how the paths begin, if they lead out of what blocks the start
   std::optional<double> remaining{};  // metres to the nearest goal, as in PlanAnswer
-  int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
+  PlaceGrid places = {};              // of the planner; a car turns in their spacing
   Footprint footprint{};
   std::vector<std::string> notes{};  // sentences, as PlanAnswer::notes
   std::string planned_as_disc{};     // Explainer::planned_as_disc()

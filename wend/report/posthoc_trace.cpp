@@ -53,7 +53,7 @@ constexpr std::string_view kViewOfWays =
    "fill": "${{ color[$.type] }}"},
 )";
 
-// In units: the distance of a dot from its corner, and its size, so that four dots fit.
+// In spacings: the distance of a dot from its corner, and its size, so that four dots fit.
 constexpr double kDotDistance = 0.22;
 constexpr double kDotRadius = 0.14;
 
@@ -69,13 +69,14 @@ constexpr std::string_view kPivotOfCells =
 constexpr std::string_view kPivotOfCorners =
     R"({"x": "${{ $.x }}", "y": "${{ $.y }}", "scale": 1})";
 
-std::string head(TraceForm form, int unit, bool ways) {
+std::string head(TraceForm form, const PlaceGrid& places, bool ways) {
   std::string views(kViewOfMap);
   if (ways) views += kViewOfWays;
-  views += unit == 0 ? std::string(kViewOfCells)
-                     : fmt::format(kViewOfCorners, format_number(kDotDistance * unit),
-                                   format_number(kDotRadius * unit));
-  const std::string_view pivot = unit == 0 ? kPivotOfCells : kPivotOfCorners;
+  views += !places.on_corners()
+               ? std::string(kViewOfCells)
+               : fmt::format(kViewOfCorners, format_number(kDotDistance * places.spacing),
+                             format_number(kDotRadius * places.spacing));
+  const std::string_view pivot = places.on_corners() ? kPivotOfCorners : kPivotOfCells;
   if (form == TraceForm::yaml) {
     return fmt::format("version: 1.4.0\nschema: 1\nviews: {}\npivot: {}\nevents:", views, pivot);
   }
@@ -86,8 +87,8 @@ std::string head(TraceForm form, int unit, bool ways) {
 
 }  // namespace
 
-PosthocText::PosthocText(TraceForm form, int unit, bool ways)
-    : form_(form), text_(head(form, unit, ways)) {}
+PosthocText::PosthocText(TraceForm form, const PlaceGrid& places, bool ways)
+    : form_(form), text_(head(form, places, ways)) {}
 
 void PosthocText::begin_event(std::string_view type, std::string_view id) {
   const bool first = !in_event_;
@@ -134,28 +135,28 @@ std::string PosthocText::finish() {
   return std::move(text_);
 }
 
-PosthocTrace::PosthocTrace(const FreeSpace& space, int unit, bool ways, TraceForm form,
-                           std::uint64_t most_events)
+PosthocTrace::PosthocTrace(const FreeSpace& space, const PlaceGrid& places, bool ways,
+                           TraceForm form, std::uint64_t most_events)
     : map_height_(space.height()),
-      unit_(unit),
-      width_(space.width() + (unit > 0 ? 1 : 0)),
-      height_(space.height() + (unit > 0 ? 1 : 0)),
+      places_(places),
+      width_(space.width() + (places.on_corners() ? 1 : 0)),
+      height_(space.height() + (places.on_corners() ? 1 : 0)),
       frame_(space.map().frame()),
       room_(most_events),
-      text_(form, unit, ways) {
+      text_(form, places, ways) {
   put_map(space);
 }
 
 PosthocTrace::PosthocTrace(const FreeSpace& space, Cell start, std::span<const Cell> goals,
                            TraceForm form, std::uint64_t most_events)
-    : PosthocTrace(space, 0, false, form, most_events) {
+    : PosthocTrace(space, cells_of(space), false, form, most_events) {
   put_end("source", {start});
   for (const Cell goal : goals) put_end("destination", {goal});
 }
 
-PosthocTrace::PosthocTrace(const FreeSpace& space, const Query& query, int unit, TraceForm form,
-                           std::uint64_t most_events)
-    : PosthocTrace(space, unit, unit == 0, form, most_events) {
+PosthocTrace::PosthocTrace(const FreeSpace& space, const Query& query, const PlaceGrid& places,
+                           TraceForm form, std::uint64_t most_events)
+    : PosthocTrace(space, places, !places.on_corners(), form, most_events) {
   if (const auto start = place_of(query.start)) put_end("source", *start);
   for (const Goal& goal : query.goals) {
     auto place = place_of({goal.point.x, goal.point.y, goal.heading.value_or(0)});
@@ -170,7 +171,7 @@ PosthocTrace::PosthocTrace(const FreeSpace& space, const Query& query, int unit,
 
 void PosthocTrace::put_map(const FreeSpace& space) {
   const auto is_blocked = [&](Cell cell) {
-    return unit_ > 0 ? space.obstacles().blocked()[cell] : !space.passable()[cell];
+    return places_.on_corners() ? space.obstacles().blocked()[cell] : !space.passable()[cell];
   };
   const auto rectangles = joined_rows<Rectangle>(
       map_height_, kMostRectangles,
@@ -197,7 +198,7 @@ std::uint64_t PosthocTrace::number(const Place& place) const {
       static_cast<std::uint64_t>(place.cell.y) * static_cast<std::uint64_t>(width_) +
       static_cast<std::uint64_t>(place.cell.x);
   if (!place.heading) return number;
-  if (unit_ > 0)
+  if (places_.on_corners())
     return number * kHeadings + static_cast<std::uint64_t>(nearest_heading(*place.heading));
   // No lattice has headings as close as this.
   constexpr std::uint64_t kSteps = 4096;
@@ -208,8 +209,8 @@ std::uint64_t PosthocTrace::number(const Place& place) const {
 
 /// The place on the lattice of a car in this pose.
 std::optional<PosthocTrace::Place> PosthocTrace::place_of(const Pose& pose) const {
-  if (unit_ == 0) return Place{cell_at(pose.point()), pose.heading};
-  const auto nearest = nearest_corner_pose(pose, unit_);
+  if (!places_.on_corners()) return Place{cell_at(pose.point()), pose.heading};
+  const auto nearest = nearest_corner_pose(pose, places_.spacing);
   if (!nearest) return std::nullopt;
   return Place{nearest->vertex, radians_of(nearest->heading)};
 }

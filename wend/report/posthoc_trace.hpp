@@ -18,7 +18,7 @@
 // A car is traced on its corners: a state is a corner with a heading, and has its own id and a
 // `heading`, "N", "W", "E" or "S". A goal without a fixed heading gives four destinations.
 //
-//   wend::PosthocTrace driven(space, query, 1, wend::TraceForm::json, 100'000);
+//   wend::PosthocTrace driven(space, query, wend::corners_of(space), wend::TraceForm::json, 100'000);
 //
 // The events of a planner of continuous poses, hybrid_astar, have a `way`, too: the points {x, y} that are driven from
 // the parent to the place, drawn as a line.
@@ -37,6 +37,7 @@
 
 #include "wend/geometry/direction.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
@@ -52,8 +53,8 @@ enum class TraceForm { yaml, json };
 /// square of a cell, or for a car a dot beside its vertex, on the side that its `heading` faces.
 class PosthocText {
  public:
-  /// `unit` is the lattice resolution of a car in cells; 0: cells. `ways`: the events may have a `way`.
-  explicit PosthocText(TraceForm form, int unit = 0, bool ways = false);
+  /// `places`: those of the planner. `ways`: the events may have a `way`.
+  explicit PosthocText(TraceForm form, const PlaceGrid& places = {}, bool ways = false);
 
   /// Begins an event; `id` is JSON. Everything that is put until the next event belongs to it.
   void begin_event(std::string_view type, std::string_view id);
@@ -81,10 +82,9 @@ class PosthocTrace final : public SearchObserver {
   PosthocTrace(const FreeSpace& space, Cell start, std::span<const Cell> goals, TraceForm form,
                std::uint64_t most_events);
 
-  /// The same for a car on the lattice vertices whose coordinates are multiples of `unit`. It
-  /// begins and ends at the vertices nearest to the query's start and goals. With a unit of 0, for a
-  /// robot with a heading in the middle of cells.
-  PosthocTrace(const FreeSpace& space, const Query& query, int unit, TraceForm form,
+  /// The same for a planner with headings, and with these places. A car's trace begins and ends at the vertices
+  /// nearest to the query's start and goals; that of a planner with places in cells has a `way` in its events.
+  PosthocTrace(const FreeSpace& space, const Query& query, const PlaceGrid& places, TraceForm form,
                std::uint64_t most_events);
 
   void on_generate(const SearchEvent& event) override;
@@ -111,7 +111,7 @@ class PosthocTrace final : public SearchObserver {
     std::optional<std::uint64_t> parent{};  // its id
   };
 
-  PosthocTrace(const FreeSpace& space, int unit, bool ways, TraceForm form,
+  PosthocTrace(const FreeSpace& space, const PlaceGrid& places, bool ways, TraceForm form,
                std::uint64_t most_events);
 
   bool keep_one();
@@ -129,7 +129,7 @@ class PosthocTrace final : public SearchObserver {
   void put_way(std::span<const Pose> way);
 
   int map_height_;
-  int unit_;   // 0: cells
+  PlaceGrid places_;
   int width_;  // in places: cells, or corners
   int height_;
   Frame frame_;

@@ -116,7 +116,8 @@ class ClosestPose {
     for (const Goal& goal : asked_) {
       const auto free = planner_.nearest_free(Goal(goal.point));
       double away = free ? distance(*free, goal.point) : kAnywhere;
-      const double beside = planner_.corner_unit() > 0 ? 0.75 : 0;  // a vertex, of a cell's middle
+      const double beside =
+          planner_.place_grid().on_corners() ? 0.75 : 0;  // a vertex, of a cell's middle
       std::vector<Cell> cells;
       if (start && space.possible()[*start]) {
         const auto reaches = [&](Cell cell) {

@@ -103,15 +103,15 @@ std::string Explainer::explain(const Planner& planner, const Query& query, const
     const bool of_planner = status == Status::time_limit && std::isinf(query.limits.seconds);
     const std::string own = of_planner ? planner.reason(query, status) : std::string();
     if (own.empty()) return stopped(status, query.limits, metrics);
-    return as_asked(ends, planner.corner_unit()) + own;
+    return as_asked(ends, planner.place_grid()) + own;
   }
-  const int unit = planner.corner_unit();
+  const PlaceGrid places = planner.place_grid();
   if (status == Status::start_outside || status == Status::goal_outside) {
     const Place& place = status == Status::start_outside ? ends.start : ends.goals.front();
     return "the " + place.name + ' ' + place.text + " is outside the map, which covers " +
-           (unit > 0 ? units_.extent_of_corners() : units_.extent());
+           (places.on_corners() ? units_.extent_of_corners() : units_.extent());
   }
-  return as_asked(ends, unit) + planner.reason(query, status) + out;
+  return as_asked(ends, places) + planner.reason(query, status) + out;
 }
 
 /// How a robot that does not fit at the start can leave it, or why it cannot.
@@ -175,8 +175,8 @@ std::string Explainer::too_far(double away) const {
 }
 
 /// Reasons of planners of poses are in cells. If these are not what was asked, that comes first.
-std::string Explainer::as_asked(const Ends& ends, int corner_unit) const {
-  if (!units_.metric() && corner_unit <= 1) return {};
+std::string Explainer::as_asked(const Ends& ends, const PlaceGrid& places) const {
+  if (!units_.metric() && places.spacing == 1) return {};
   std::vector<std::string> goals;
   goals.reserve(ends.goals.size());
   for (const Place& goal : ends.goals) goals.push_back(goal.text);
@@ -239,7 +239,7 @@ std::string Explainer::too_near(const Place& place, std::string_view obstacle) c
 }
 
 std::string Explainer::planned_as_disc(const Planner& planner) const {
-  const bool by_disc = planner.grid_moves().has_value() || planner.corner_unit() > 0;
+  const bool by_disc = planner.grid_moves().has_value() || planner.place_grid().on_corners();
   if (space_.outline() == nullptr || !by_disc) return {};
   return "planned as the disc around its base point that covers its footprint, radius " +
          units_.length(space_.radius_in_cells()) +

@@ -17,6 +17,7 @@
 #include "wend/base/deadline.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/base/status.hpp"
+#include "wend/geometry/place_grid.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/session/leeway.hpp"
@@ -118,7 +119,7 @@ class WEND_API Explainer {
   double most_moved() const;
   std::string hint_of_length(double cells) const;
   std::string unreachable(const Place& start, const Place& goal) const;
-  std::string as_asked(const Ends& ends, int corner_unit) const;
+  std::string as_asked(const Ends& ends, const PlaceGrid& places) const;
   std::string too_near(const Place& place, std::string_view obstacle) const;
   std::string why(const Place& place, BlockReason reason) const;
 

@@ -12,10 +12,10 @@ constexpr std::size_t kFewOf =
 
 }  // namespace
 
-void Replay::begin(int width, int height, int unit) {
+void Replay::begin(int width, int height, const PlaceGrid& places) {
   width_ = width;
   height_ = height;
-  unit_ = unit;
+  reach_ = places.on_corners() ? places.spacing : 0;
   const auto cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   expansions_.clear();
   if (cells == 0) return;  // the columns stay, for the next search
@@ -53,11 +53,11 @@ std::uint32_t Replay::index(Cell cell) const {
 
 template <class Visit>
 void Replay::for_cells_at(Cell place, Visit&& visit) const {
-  if (unit_ == 0) return visit(index(place));
-  const int right = std::min(place.x + unit_, width_);
-  const int below = std::min(place.y + unit_, height_);
-  for (int y = std::max(place.y - unit_, 0); y < below; ++y) {
-    for (int x = std::max(place.x - unit_, 0); x < right; ++x) visit(index({x, y}));
+  if (reach_ == 0) return visit(index(place));
+  const int right = std::min(place.x + reach_, width_);
+  const int below = std::min(place.y + reach_, height_);
+  for (int y = std::max(place.y - reach_, 0); y < below; ++y) {
+    for (int x = std::max(place.x - reach_, 0); x < right; ++x) visit(index({x, y}));
   }
 }
 

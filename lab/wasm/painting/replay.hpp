@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "wend/geometry/place_grid.hpp"
 #include "wend/planner/observer.hpp"
 
 namespace wend::lab {
@@ -26,8 +27,8 @@ class Replay final : public SearchObserver {
     float f;
   };
 
-  /// Forgets everything. `unit` as in SearchRecorder: 0 for planners on cells.
-  void begin(int width, int height, int unit);
+  /// Forgets everything. `places`: those of the planner.
+  void begin(int width, int height, const PlaceGrid& places);
 
   void on_generate(const SearchEvent& event) override;
   void on_expand(const SearchEvent& event) override;
@@ -62,7 +63,7 @@ class Replay final : public SearchObserver {
 
   int width_ = 0;
   int height_ = 0;
-  int unit_ = 0;
+  int reach_ = 0;  // cells on each side of a vertex; 0: places are cells
   std::vector<std::uint32_t> expansion_;
   std::vector<std::uint32_t> generation_;
   std::vector<std::uint32_t> parent_;

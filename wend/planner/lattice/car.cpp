@@ -9,22 +9,30 @@
 namespace wend {
 namespace {
 
-PlannerResult make_car(const FreeSpace& space, const OptionValues& values) {
+/// With the spacing of the lattice: --lattice-resolution, or the turning radius in whole cells.
+Expected<CarOptions, Error> car_options(const OptionValues& values, const Frame& frame) {
   auto options = parse_options<CarOptions>(values);
-  if (!options) {
-    return Unexpected<Error>(options.error());
+  if (!options || options->turning_radius <= 0) return options;
+  const auto is_resolution = [](const auto& value) {
+    return value.first == "lattice_resolution" || value.first == "unit";
+  };
+  const auto given = std::ranges::find_if(values, is_resolution);
+  if (given != values.end()) {
+    return failure(Status::invalid_option,
+                   given->first + " and turning_radius set the same value: give one of them");
   }
-  if (options->turning_radius > 0) {
-    const auto is_resolution = [](const auto& value) {
-      return value.first == "lattice_resolution" || value.first == "unit";
-    };
-    const auto given = std::ranges::find_if(values, is_resolution);
-    if (given != values.end()) {
-      return failure(Status::invalid_option,
-                     given->first + " and turning_radius set the same value: give one of them");
-    }
-    options->driving.unit = unit_for(options->turning_radius, space.map().frame());
-  }
+  options->driving.unit = unit_for(options->turning_radius, frame);
+  return options;
+}
+
+PlaceGrid car_places(const FreeSpace& space, const OptionValues& values) {
+  const auto options = car_options(values, space.map().frame());
+  return corners_of(space, options ? static_cast<int>(options->driving.unit) : 1);
+}
+
+PlannerResult make_car(const FreeSpace& space, const OptionValues& values) {
+  auto options = car_options(values, space.map().frame());
+  if (!options) return Unexpected<Error>(options.error());
   const auto lattice_for =
       [driving = options->driving](const FreeSpace& other) -> Expected<CarLattice, Error> {
     std::string why_none = why_no_lattice(other.map(), driving);
@@ -38,8 +46,7 @@ PlannerResult make_car(const FreeSpace& space, const OptionValues& values) {
     return make_engine(lattice, options.heuristic, options.weight);
   };
   auto planner = std::make_unique<LatticePlanner<CarLattice>>(
-      space, LatticeParts<CarLattice>{lattice_for, engine_on, "the car", options->bound(),
-                                      static_cast<int>(options->driving.unit)});
+      space, LatticeParts<CarLattice>{lattice_for, engine_on, "the car", options->bound()});
   if (auto fault = planner->fault()) return Unexpected<Error>(*std::move(fault));
   return planner;
 }
@@ -85,7 +92,8 @@ PlannerInfo car_planner() {
                        .terrain = true,
                        .can_step = true},
       .options = option_schema<CarOptions>(),
-      .make = make_car};
+      .make = make_car,
+      .places = car_places};
 }
 
 }  // namespace wend

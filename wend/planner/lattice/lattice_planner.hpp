@@ -32,9 +32,8 @@ struct LatticeParts {
   std::function<Expected<Lattice, Error>(const FreeSpace&)> make_lattice;
   /// A search on it; not allocated() without memory for its nodes.
   std::function<std::unique_ptr<LatticeEngine<Lattice>>(const Lattice&)> make_engine;
-  std::string robot;    // whose poses they are, in errors: "the car"
-  double bound = 1;     // Plan::bound of every answer, unless the engine has one
-  int corner_unit = 0;  // Planner::corner_unit()
+  std::string robot;  // whose poses they are, in errors: "the car"
+  double bound = 1;   // Plan::bound of every answer, unless the engine has one
 };
 
 template <class Lattice>
@@ -239,7 +238,9 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
     return lattice_ ? lattice_->possible_poses() : 0;
   }
   std::optional<GridMoves> do_grid_moves() const override { return std::nullopt; }
-  int do_corner_unit() const override { return parts_.corner_unit; }
+  PlaceGrid do_place_grid() const override {
+    return lattice_ ? vertices() : cells_of(this->free_space());
+  }
 
   LatticeParts<Lattice> parts_;
   std::optional<Error> fault_;

@@ -76,7 +76,7 @@ MapView fitted_view(const GridMap& map, int most_width, int most_height, double 
 }
 
 Margins axis_room(const Scene& scene) {
-  if (!scene.unit) return {};
+  if (!scene.places.on_corners()) return {};
   const auto beside =
       static_cast<int>(std::ceil(kAxisTick + kAxisGap + longest_number(scene.space)));
   const auto along = static_cast<int>(std::ceil(kAxisTick + kAxisGap + kAxisDigitHeight));
@@ -86,7 +86,7 @@ Margins axis_room(const Scene& scene) {
 }
 
 int axis_step(const Scene& scene, double scale) {
-  const int unit = scene.unit.value_or(1);
+  const int unit = scene.places.spacing;
   return unit * round_step((kApart + longest_number(scene.space)) / (unit * scale));
 }
 

@@ -63,7 +63,7 @@ struct Margins {
   int down() const { return top + bottom; }
 };
 
-/// The margins for the axes of a car's lattice; 0 without a unit.
+/// The margins for the axes of a car's lattice; 0 where places are cells.
 Margins axis_room(const Scene& scene);
 
 /// How many cells lie between two numbers on an axis, where a cell has that many pixels.

@@ -76,14 +76,14 @@ TEST(RoundStep, IsTheLeastThatIsNotLess) {
 
 RC_GTEST_PROP(Axes, NumberCornersSoThatNumbersNeverTouch, ()) {
   Scene scene{.space = *make_free_space(map_of_size(*rc::gen::inRange(1, 3000), 1))};
-  scene.unit = *rc::gen::inRange(1, 30);
+  scene.places = corners_of(scene.space, *rc::gen::inRange(1, 30));
   const double scale = *rc::gen::inRange(1, 6000) / 40.0;
   const int step = axis_step(scene, scale);
-  RC_ASSERT(step % *scene.unit == 0);
+  RC_ASSERT(step % scene.places.spacing == 0);
   const double widest =
       0.6 * kAxisFontSize * static_cast<double>(std::to_string(scene.space.width()).size());
   RC_ASSERT(step * scale >= widest + 10);
-  RC_ASSERT(step == *scene.unit || step * scale <= 2.5 * (widest + 40));
+  RC_ASSERT(step == scene.places.spacing || step * scale <= 2.5 * (widest + 40));
 }
 
 TEST(ScaleBar, IsARoundLengthInMetres) {

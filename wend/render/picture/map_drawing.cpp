@@ -355,7 +355,7 @@ void draw_dominant_map(const SceneDrawing& drawing) {
 
 void draw_grid_lines(const SceneDrawing& drawing) {
   const MapView& view = drawing.view;
-  const int unit = drawing.scene.unit.value_or(1);
+  const int unit = drawing.scene.places.spacing;
   if (unit * view.scale() >= kGridLinesFrom) {
     for (int x = unit; x < view.columns; x += unit) {
       const double at = std::floor(view.to_picture({static_cast<double>(x), 0}).x) + 0.5;
@@ -373,7 +373,7 @@ void draw_grid_lines(const SceneDrawing& drawing) {
 }
 
 void draw_axes(const SceneDrawing& drawing) {
-  if (!drawing.scene.unit) return;
+  if (!drawing.scene.places.on_corners()) return;
   const int step = axis_step(drawing.scene, drawing.view.scale());
   select_label_font(drawing.context, kAxisFontSize);
   draw_columns(drawing, step);

@@ -149,7 +149,7 @@ Scene searched_yard(std::optional<int> unit) {
   Scene scene{.space = *make_free_space(map_of({"5555....", "5555....", "5555....", "....5555"}))};
   scene.marked = {
       {CellRole::expanded, marked_of({"********", "********", "********", "----****"}, '*')}};
-  scene.unit = unit;
+  if (unit) scene.places = corners_of(scene.space, *unit);
   return scene;
 }
 
@@ -219,7 +219,7 @@ TEST(Stripes, AreACharacterOfTheirOwnInText) {
 Scene yard(int width, int height, bool y_up = false) {
   Scene scene{.space =
                   *make_free_space(*make_grid_map(Grid<CellState>(width, height), {.y_up = y_up}))};
-  scene.unit = 1;
+  scene.places = corners_of(scene.space);
   return scene;
 }
 
@@ -252,7 +252,7 @@ TEST(Axes, LieBesideRowZeroAndAtTheLeft) {
 
 TEST(Axes, AreOnlyWhereACarStandsOnCorners) {
   Scene scene = yard(20, 20);
-  scene.unit.reset();
+  scene.places = {};
   EXPECT_EQ(axis_room(scene).across() + axis_room(scene).down(), 0);
   EXPECT_EQ(draw_pixels(scene, 400, 400).width(), 400);
 }

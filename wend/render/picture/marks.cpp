@@ -83,12 +83,12 @@ void draw_cross(const Pen& pen, Point centre, const Colour& colour) {
 }  // namespace
 
 MarkSizes mark_sizes(const Scene& scene, const MapView& view) {
-  const double scale = scene.unit.value_or(1) * view.scale();
+  const double scale = scene.places.spacing * view.scale();
   const double line = std::clamp(0.2 * scale, 3.5, 9.0);
   MarkSizes sizes{.line = line,
                   .halo = std::clamp(0.35 * line, 1.25, 3.0),
                   .mark = std::clamp(0.3 * scale, 9.0, 18.0)};
-  if (scene.unit || scene.path.driven()) {
+  if (scene.places.on_corners() || scene.path.driven()) {
     sizes.line = std::max(3.0, 0.62 * sizes.line);
     sizes.mark *= 0.75;
   }

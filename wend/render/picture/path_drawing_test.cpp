@@ -24,7 +24,7 @@ constexpr int kPixels = 340;  // of a picture, at most
 Scene driven_yard(int width, int height, bool y_up = false) {
   Scene scene{.space =
                   *make_free_space(*make_grid_map(Grid<CellState>(width, height), {.y_up = y_up}))};
-  scene.unit = 1;
+  scene.places = corners_of(scene.space);
   return scene;
 }
 

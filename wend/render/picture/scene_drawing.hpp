@@ -53,7 +53,7 @@ void draw_stripes(const SceneDrawing& drawing);
 void draw_grid_lines(const SceneDrawing& drawing);
 
 /// The numbers of a lattice's corners at the sides of the map, in the room that axis_room() asks
-/// for, where a scene has a unit: columns along row 0 (so above the map where y is down, below it
+/// for, where its places are corners: columns along row 0 (so above the map where y is down, below it
 /// where y is up), rows at the left. Every corner has its number where there is room, else every
 /// second, fifth, tenth and so on.
 void draw_axes(const SceneDrawing& drawing);

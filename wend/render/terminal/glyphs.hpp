@@ -86,7 +86,7 @@ void put_arrows(const Scene& scene, Grid<Glyph>& glyphs);
 /// collision) over what is there.
 void put_marks(const Scene& scene, Grid<Glyph>& glyphs);
 
-/// The picture of a scene with a unit (see text_picture.hpp), row by row from the top.
+/// The picture of a scene whose places are corners (see text_picture.hpp), row by row from the top.
 Grid<Glyph> lattice_glyphs(const Scene& scene, const TextStyle& style);
 
 /// Does the lattice fit into these columns and rows with the narrowest cells?

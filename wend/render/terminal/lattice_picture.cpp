@@ -1,4 +1,4 @@
-// The text picture of a scene with a unit: the corners that a car stands on and the cells between
+// The text picture of a scene whose places are corners: the corners that a car stands on and the cells between
 // them.
 
 #include <algorithm>
@@ -26,7 +26,7 @@ int digits(int number) { return static_cast<int>(std::to_string(number).size());
 /// How many cells of the lattice there are across and down. What is left over at the map's far edges
 /// belongs to none.
 Cell lattice_size(const Scene& scene) {
-  const int unit = scene.unit.value_or(1);
+  const int unit = scene.places.spacing;
   return {scene.space.width() / unit, scene.space.height() / unit};
 }
 
@@ -41,7 +41,7 @@ Glyph shade(double multiplier) {
 /// terrain. In ASCII that has its digit.
 Glyph block_glyph(const Scene& scene, Cell block, bool ascii) {
   const FreeSpace& space = scene.space;
-  const int unit = scene.unit.value_or(1);
+  const int unit = scene.places.spacing;
   std::optional<CellRole> role;
   bool unknown = false;
   int too_close = 0;
@@ -82,7 +82,7 @@ class LatticePicture {
  public:
   LatticePicture(const Scene& scene, int columns_a_cell, bool ascii)
       : scene_(scene),
-        unit_(scene.unit.value_or(1)),
+        unit_(scene.places.spacing),
         cells_(lattice_cells(scene, ascii)),
         columns_a_cell_(columns_a_cell),
         ascii_(ascii),

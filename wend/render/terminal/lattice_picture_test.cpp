@@ -186,7 +186,7 @@ TEST(LatticePicture, DrawsTheCellsOfALargerUnit) {
                            "99999",
                        })),
                        driven({{0, 4}, Heading::minus_y}, {CarMove::fwd_plus}, 2));
-  scene.unit = 2;
+  scene.places = corners_of(scene.space, 2);
   EXPECT_EQ(text_picture(scene), lines_of({
                                      "  0   2   4",
                                      "0 ·   ▗▄▄▄▖",

@@ -238,7 +238,7 @@ Scene yard() {
                   "........",
                   "........",
               }))};
-  scene.unit = 1;
+  scene.places = corners_of(scene.space);
   scene.path = Path::through({{0, 2, 0}, {4, 2, 0}, {3, 3, -kPi / 2}, {3, 6, -kPi / 2}});
   scene.start = scene.path.poses().front();
   scene.goals = {Point{8, 8}};

@@ -112,12 +112,13 @@ std::string number_or_cell(double number, const FreeSpace& space, Cell cell,
 }  // namespace
 
 std::string text_picture(const Scene& scene, const TextStyle& style) {
-  if (!scene.unit) return as_text(cell_glyphs(scene), row_order(scene.space), scene, style);
+  if (!scene.places.on_corners())
+    return as_text(cell_glyphs(scene), row_order(scene.space), scene, style);
   return as_text(lattice_glyphs(scene, style), {}, scene, style);
 }
 
 bool fits_as_text(const Scene& scene, int columns, int rows) {
-  if (scene.unit) return lattice_fits(scene, columns, rows);
+  if (scene.places.on_corners()) return lattice_fits(scene, columns, rows);
   return fits_as_text(scene.space.map(), columns, rows);
 }
 

@@ -14,7 +14,7 @@
 //
 // A scene's arrows are shown too, its heatmap is not: text_numbers() shows that.
 //
-// Where a scene has a unit, the corners that a car stands on have characters too, with the cells
+// Where places are corners, the corners that a car stands on have characters too, with the cells
 // between them: two rows and two to four columns a cell, the numbers of corners at the sides:
 //
 //     0   1   2   3   4   5   6
@@ -26,7 +26,7 @@
 //                 ▐███▌    ▓▓▓
 //   3 ·   ·   ·   ▝▀▀▀▘   ·   ·
 //
-// The arrow beside a start or a goal is its heading. With a unit of several cells the lattice's cells
+// The arrow beside a start or a goal is its heading. With a spacing of several cells the lattice's cells
 // are drawn: blocked if any of their cells is, of their mean terrain.
 //
 // UTF-8 or ASCII, '\n' after every row. O(cells + length of the path).
