@@ -54,6 +54,7 @@
 #include "wend/report/posthoc_trace.hpp"
 #include "wend/report/text_table.hpp"
 #include "wend/robot/near_map.hpp"
+#include "wend/robot/repeated_moves.hpp"
 #include "wend/session/plan_request.hpp"
 
 namespace {
@@ -527,6 +528,16 @@ TEST(Snippets, OfTypedOptions) {
   }
   const wend::OptionValues values = wend::option_values(wend::AStarOptions{.weight = 2});
   EXPECT_EQ(values, (wend::OptionValues{{"weight", "2"}}));
+}
+
+TEST(Snippets, OfMovesInARow) {
+  wend::Plan plan;
+  plan.moves = {"FWD_RIGHT", "FWD", "FWD", "FWD"};
+  std::vector<std::string> lines;
+  for (const wend::RepeatedMove& move : wend::merged_moves(plan.moves)) {
+    lines.push_back("Go " + wend::text_of(move));  // "Go FWD_RIGHT", "Go 3 x FWD"
+  }
+  EXPECT_EQ(lines, (std::vector<std::string>{"Go FWD_RIGHT", "Go 3 x FWD"}));
 }
 
 }  // namespace
