@@ -46,6 +46,7 @@
 #include "wend/planner/planners.hpp"
 #include "wend/render/animation/film_canvas.hpp"
 #include "wend/render/animation/gif.hpp"
+#include "wend/render/animation/lzw_encoder.hpp"
 #include "wend/render/picture/drawing.hpp"
 #include "wend/render/picture/panels.hpp"
 #include "wend/render/terminal/terminal_picture.hpp"
@@ -54,6 +55,7 @@
 #include "wend/report/posthoc_trace.hpp"
 #include "wend/report/text_table.hpp"
 #include "wend/robot/near_map.hpp"
+#include "wend/robot/repeated_moves.hpp"
 #include "wend/session/plan_request.hpp"
 
 namespace {
@@ -535,6 +537,26 @@ TEST(Snippets, OfTypedOptions) {
   }
   const wend::OptionValues values = wend::option_values(wend::AStarOptions{.weight = 2});
   EXPECT_EQ(values, (wend::OptionValues{{"weight", "2"}}));
+}
+
+TEST(Snippets, OfCompressedPixels) {
+  std::string file;
+  const auto append = [&file](const std::string& blocks) { file += blocks; };
+  wend::LzwEncoder encoder(8);
+  encoder.add(7, 800);  // a run of equal pixels
+  encoder.add(3, 1);
+  append(encoder.finish());
+  EXPECT_EQ(file.back(), '\0') << "the empty block";
+}
+
+TEST(Snippets, OfMovesInARow) {
+  wend::Plan plan;
+  plan.moves = {"FWD_RIGHT", "FWD", "FWD", "FWD"};
+  std::vector<std::string> lines;
+  for (const wend::RepeatedMove& move : wend::merged_moves(plan.moves)) {
+    lines.push_back("Go " + wend::text_of(move));  // "Go FWD_RIGHT", "Go 3 x FWD"
+  }
+  EXPECT_EQ(lines, (std::vector<std::string>{"Go FWD_RIGHT", "Go 3 x FWD"}));
 }
 
 }  // namespace

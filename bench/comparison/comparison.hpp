@@ -32,15 +32,16 @@ struct EasedEnds {
 struct ComparisonRow {
   std::string planner;  // as it was typed: "astar:weight=2"
   Status status = Status::found;
-  std::string reason = {};        // of a failure, for people
-  double cost = 0;                // as in Plan::cost; for a car, its fuel
-  double length = 0;              // cells
-  double turning = 0;             // degrees, all turns together
-  double largest_curvature = 0;   // 1 / cells; corners rounded by kCornerRounding
-  double smallest_clearance = 0;  // cells; infinite without obstacles
-  double mean_clearance = 0;      // the same, over the path's length
-  std::uint64_t steps = 0;        // moves
-  std::uint64_t reversals = 0;    // how often a car changes between forward and reverse
+  std::string reason = {};          // of a failure, for people
+  double cost = 0;                  // as in Plan::cost; for a car, its fuel
+  double length = 0;                // cells
+  double turning = 0;               // degrees, all turns together
+  double largest_curvature = 0;     // 1 / cells; corners rounded by kCornerRounding
+  double smallest_clearance = 0;    // cells; infinite without obstacles
+  double mean_clearance = 0;        // the same, over the path's length
+  std::uint64_t steps = 0;          // moves
+  std::uint64_t reversals = 0;      // how often a car changes between forward and reverse
+  bool counts_first_query = false;  // the next three: later queries find their answer kept
   std::uint64_t expanded = 0;
   std::uint64_t generated = 0;
   std::uint64_t max_frontier = 0;  // the largest number of open states

@@ -83,6 +83,7 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
     row.reason = error->message;
     return row;
   }
+  row.counts_first_query = timed.resumes();
   row.status = plan_eased(timed, query, row);
   row.cost = plan_.cost;
   row.expanded = plan_.metrics.expanded;
@@ -129,15 +130,21 @@ void ComparisonRun::describe(const Path& path, const FreeSpace& space, Compariso
   row.reversals = static_cast<std::uint64_t>(metrics.reversals);
 }
 
-/// Repeats a search; one that was stopped, as far as it went. (A planner that keeps what it prepared may expand other
-/// cells than the first time.)
+/// Repeats a search; one that was stopped, as far as it went. A planner that resumes would not search again, so another
+/// one does. (One that keeps what it prepared may expand other cells than the first time.)
 Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver* observer) const {
   const ComparisonRow& row = comparison_.queries[query].rows[planner];
   Query same{row.eased.start, row.eased.goals};
   if (!row.found()) same.limits.expansions = row.expanded;
   same.observer = observer;
   Plan plan;
-  if (Planner* const made = planners_[planner].planner()) made->plan(same, plan);
+  const TimedPlanner& timed = planners_[planner];
+  if (timed.planner() == nullptr) return plan;
+  if (!timed.resumes()) {
+    timed.planner()->plan(same, plan);
+  } else if (const auto another = timed.another()) {
+    (*another)->plan(same, plan);
+  }
   return plan;
 }
 

@@ -1,5 +1,6 @@
 #include "bench/comparison/comparison_run.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -66,6 +67,35 @@ TEST(ComparisonRun, HasThePathOfEveryQueryThatWasAnswered) {
     }
   }
   EXPECT_GT(found, 200);
+}
+
+/// Such a planner would have nothing to do, and to show, when it is asked again.
+TEST(ComparisonRun, CountsAndRecordsTheFirstSearchOfPlannersThatResume) {
+  const FreeSpace space = test::open_space(30, 20);
+  ComparisonRun run = run_of(space, "replanner,d_star_lite,alt,astar");
+  run.answer({{0, 0}, {29, 19}});
+  run.answer({{0, 0}, {29, 19}});
+  for (const ComparedQuery& query : run.comparison().queries) {
+    for (std::size_t planner = 0; planner < query.rows.size(); ++planner) {
+      const ComparisonRow& row = query.rows[planner];
+      SCOPED_TRACE(row.planner);
+      EXPECT_EQ(row.counts_first_query, row.planner != "astar");
+      const auto fresh = make_planner(row.planner, space, {});
+      const auto plan = (*fresh)->plan(Query::between({0, 0}, {29, 19}));
+      ASSERT_TRUE(plan);
+      EXPECT_EQ(row.expanded, plan->metrics.expanded);
+      EXPECT_EQ(row.generated, plan->metrics.generated);
+      EXPECT_GT(row.expanded, 0U);
+      EXPECT_FALSE(run.record(planner, 0).expansions().empty());
+    }
+  }
+  EXPECT_THAT(comparison_table(run.comparison(), 200),
+              testing::Not(testing::HasSubstr("counted in")))
+      << "of many";
+  ComparisonRun single = run_of(space, "replanner,astar");
+  single.answer({{0, 0}, {29, 19}});
+  EXPECT_THAT(comparison_table(single.comparison(), 200),
+              testing::HasSubstr("replanner: counted in the first query, as its answer is kept\n"));
 }
 
 TEST(RandomPairs, ReachAllCellsAndComeAgainWithTheSameSeed) {

@@ -86,6 +86,9 @@ std::string remarks_of(const ComparedQuery& query) {
   SaidOfPlanners failures;
   for (const ComparisonRow& row : query.rows) {
     for (const std::string& note : row.notes) notes.add(row.planner, note);
+    if (row.counts_first_query) {
+      notes.add(row.planner, "counted in the first query, as its answer is kept");
+    }
     if (row.found()) continue;
     std::string why(to_string(row.status));
     if (!row.reason.empty()) why += ": " + row.reason;
@@ -128,23 +131,6 @@ TextTable table_of(const ComparedQuery& query, const std::vector<Column>& column
   return table;
 }
 
-/// Columns that do not fit go into further tables below.
-std::string tables_of(const ComparedQuery& query, const std::vector<Column>& columns,
-                      std::size_t width) {
-  std::string text;
-  std::vector<Column> beside;
-  for (const Column& column : columns) {
-    std::vector<Column> wider = beside;
-    wider.push_back(column);
-    if (!beside.empty() && table_of(query, wider).width() > width) {
-      text += table_of(query, beside).text() + "\n";
-      wider = std::vector<Column>{column};
-    }
-    beside.swap(wider);
-  }
-  return text + table_of(query, beside).text();
-}
-
 /// Explains the curvatures.
 std::string curvature_note() {
   return fmt::format("Curvatures and turning radii: corners are rounded within {} cells.\n",
@@ -165,8 +151,8 @@ std::string table_of_one(const Comparison& comparison, std::size_t width) {
   const std::vector<Column> paths = columns_of_one(comparison, true);
   const std::vector<Column> searches = columns_of_one(comparison, false);
   const bool marked = has_marks(paths) || has_marks(searches);
-  std::string text =
-      tables_of(query, paths, width) + "\n" + tables_of(query, searches, width) + remarks_of(query);
+  std::string text = table_of(query, paths).text(width) + "\n" +
+                     table_of(query, searches).text(width) + remarks_of(query);
   if (marked) text += "* best of its column\n";
   text += curvature_note();
   return text.append(times_note());

@@ -13,6 +13,8 @@ namespace wend {
 TimedPlanner::TimedPlanner(FreeSpace space, PlannerSpec spec, Clock clock,
                            const RepetitionRule& rule)
     : space_(std::move(space)), spec_(std::move(spec)), clock_(std::move(clock)), rule_(rule) {
+  const PlannerInfo* const info = planners().find(spec_.name);
+  resumes_ = info != nullptr && info->capabilities.resumes;
   auto made = make();
   if (made) {
     planner_ = *std::move(made);
@@ -44,9 +46,17 @@ PlannerResult TimedPlanner::make_on_index(const PlannerInfo& info) {
 Status TimedPlanner::answer(const Query& query, Plan& plan, QueryTimes& times) {
   assert(planner_ != nullptr);
   answer_first(query, plan, times);
+  const SearchMetrics first = plan.metrics;
   Status status{};
   times.later = least_seconds(clock_, [&] { status = planner_->plan(query, plan); }, rule_);
+  if (resumes_) plan.metrics = first;
   return status;
+}
+
+PlannerResult TimedPlanner::another() const {
+  const PlannerInfo* const info = planners().find(spec_.name);
+  if (info == nullptr || !index_) return make_planner(spec_.name, space_, spec_.options);
+  return info->index_support->make_planner(space_, spec_.options, *index_);
 }
 
 void TimedPlanner::answer_first(const Query& query, Plan& plan, QueryTimes& times) {

@@ -44,8 +44,15 @@ class TimedPlanner {
   /// The planner that answers later queries; null if it could not be made.
   Planner* planner() const { return planner_.get(); }
 
-  /// Answers a query several times. The planner must have been made.
+  /// Does the planner keep the answer of a query that comes again? Then it does not search for later ones.
+  bool resumes() const { return resumes_; }
+
+  /// Answers a query several times. The planner must have been made. Where it resumes, the plan has the metrics of the
+  /// first query.
   Status answer(const Query& query, Plan& plan, QueryTimes& times);
+
+  /// A planner that has answered nothing yet.
+  PlannerResult another() const;
 
  private:
   PlannerResult make();
@@ -61,6 +68,7 @@ class TimedPlanner {
   std::optional<IndexBytes> index_;
   std::unique_ptr<Planner> planner_;
   std::optional<Error> error_;
+  bool resumes_ = false;
   bool is_new_ = true;  // no query has been answered
 };
 

@@ -61,9 +61,10 @@ std::string bench_json(const BenchConditions& conditions, std::span<const BenchR
 /// The same names and values, one line per row after a line of names. Quotes as in RFC 4180.
 std::string bench_csv(const BenchConditions& conditions, std::span<const BenchRow> rows);
 
-/// The same for people, 80 columns wide: the rows of a scenario below its name, without the folder
+/// The same for people, in that many columns, 80 or more: the rows of a scenario below its name, without the folder
 /// that all scenarios share. Shows the spread if there are several passes, and index sizes if there
 /// are indexes.
-std::string bench_table(const BenchConditions& conditions, std::span<const BenchRow> rows);
+std::string bench_table(const BenchConditions& conditions, std::span<const BenchRow> rows,
+                        std::size_t width = 80);
 
 }  // namespace wend

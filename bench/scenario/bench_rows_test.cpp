@@ -179,6 +179,14 @@ TEST(BenchTable, FitsEightyColumns) {
   EXPECT_THAT(table, HasSubstr("\n    10 without a path\n"));
 }
 
+TEST(BenchTable, HasLongNamesBesideTheirNumbersInAWideTerminal) {
+  const std::vector<BenchRow> rows{wide_row("astar:weight=2,heuristic=euclidean")};
+  const std::string table = bench_table(kConditions, rows, 98);
+  EXPECT_THAT(table, HasSubstr("\n  astar:weight=2,heuristic=euclidean    15102  123457"));
+  EXPECT_THAT(bench_table(kConditions, rows, 97),
+              HasSubstr("\n  astar:weight=2,heuristic=euclidean\n"));
+}
+
 TEST(BenchTable, OfNewPlannersHasNoLaterQueries) {
   BenchConditions fresh = kConditions;
   fresh.fresh = true;

@@ -13,7 +13,8 @@
 namespace wend {
 namespace {
 
-constexpr std::size_t kWidest = 16;  // longest planner name beside its numbers
+constexpr std::size_t kUsualWidth = 80;
+constexpr std::size_t kWidest = 16;  // longest planner name beside its numbers in that width
 constexpr const char* kIndent = "  ";
 
 /// Four digits; a larger number keeps all its digits before the point.
@@ -56,9 +57,10 @@ std::string remarks_on(const BenchRow& row) {
 
 class BenchTable {
  public:
-  BenchTable(const BenchConditions& conditions, std::span<const BenchRow> rows)
+  BenchTable(const BenchConditions& conditions, std::span<const BenchRow> rows, std::size_t width)
       : conditions_(conditions),
         rows_(rows),
+        longest_(kWidest + std::max(width, kUsualWidth) - kUsualWidth),
         indexes_(std::ranges::any_of(rows, [](const auto& row) { return row.index_bytes > 0; })),
         folder_(common_folder(rows)) {}
 
@@ -140,18 +142,20 @@ class BenchTable {
     return text;
   }
 
-  static bool is_long(const BenchRow& row) { return row.planner.size() > kWidest; }
+  bool is_long(const BenchRow& row) const { return row.planner.size() > longest_; }
 
   const BenchConditions& conditions_;
   std::span<const BenchRow> rows_;
+  std::size_t longest_;  // name of a planner beside its numbers
   bool indexes_;
   std::size_t folder_;
 };
 
 }  // namespace
 
-std::string bench_table(const BenchConditions& conditions, std::span<const BenchRow> rows) {
-  return BenchTable(conditions, rows).text();
+std::string bench_table(const BenchConditions& conditions, std::span<const BenchRow> rows,
+                        std::size_t width) {
+  return BenchTable(conditions, rows, width).text();
 }
 
 }  // namespace wend

@@ -137,8 +137,10 @@ void ExploreRun::drive(const PlannerSpec& planner, const std::string& name) {
 }
 
 std::string ExploreRun::text() const {
-  const std::string table = exploration_table(report_, map_.frame(), coordinates_.metric());
-  return picture_above(table, *scene_, detect_screen(), arguments_.pictures);
+  const Screen screen = detect_screen();
+  const std::string table =
+      exploration_table(report_, map_.frame(), coordinates_.metric(), table_width(screen));
+  return picture_above(table, *scene_, screen, arguments_.pictures);
 }
 
 void ExploreRun::write_files() const {

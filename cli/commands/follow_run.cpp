@@ -13,6 +13,7 @@
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
+#include "cli/output/terminal.hpp"
 #include "cli/watching/films.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/control/simulation.hpp"
@@ -268,9 +269,10 @@ std::string FollowRun::text() const {
       arguments_.refine.any()
           ? refined_text(path_, coordinates_)
           : metrics_table(std::vector{path_.measured_before}, coordinates_.unit());
-  std::string text = path + "\n" + drive_table(drives_);
+  const Screen screen = detect_screen();
+  std::string text = path + "\n" + drive_table(drives_, table_width(screen));
   if (drives_.size() > 1) return text;
-  return picture_above(text, scene_of_drive(drives_.front()), detect_screen(), arguments_.pictures);
+  return picture_above(text, scene_of_drive(drives_.front()), screen, arguments_.pictures);
 }
 
 void FollowRun::write_files() const {

@@ -18,11 +18,11 @@
 #include "cli/output/output.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/generate/generators.hpp"
+#include "wend/generate/kept_cells.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/io/map/save_map.hpp"
 #include "wend/io/text.hpp"
 #include "wend/report/json.hpp"
-#include "wend/robot/free_space.hpp"
 #include "wend/session/units.hpp"
 
 namespace wend::cli {
@@ -122,21 +122,16 @@ std::vector<Cell> kept_cells(const GenerateArguments& arguments, const GridMap& 
   return cells;
 }
 
-/// Frees the cells of --keep. A note says which of them no path joins: a map that joins them all is another map.
+/// The map with the cells of --keep free and joined. A note says how many more that took.
 GridMap with_kept_cells(const GenerateArguments& arguments, GridMap map) {
   const std::vector<Cell> cells = kept_cells(arguments, map);
   if (cells.empty()) return map;
-  FreeSpace space = value_or_throw(make_free_space(map));
-  MapEdit edit;
-  for (const Cell cell : cells) edit.cells.push_back({cell, CellState::free});
-  value_or_throw(space.edit(edit));
-  for (const Cell cell : cells) {
-    if (space.components().connected(cells.front(), cell, Adjacency::edges)) continue;
-    complain(fmt::format("no path joins the cells {} and {}; try another --seed{}",
-                         cell_text(cells.front()), cell_text(cell),
-                         arguments.kind == "random" ? " or a lower --density" : ""));
+  KeptCells kept = value_or_throw(keep_cells(map, cells));
+  if (const std::size_t opened = kept.opened.size(); opened > 0) {
+    complain(fmt::format("--keep: {} more cell{} freed, so that a path joins the kept ones", opened,
+                         opened == 1 ? " was" : "s were"));
   }
-  return space.map();
+  return std::move(kept.map);
 }
 
 double free_share(const GridMap& map) {
@@ -215,9 +210,11 @@ Command add_generate(Parser& app) {
   generate.add_option("KIND", arguments->kind, kinds).type_name(kGeneratorType);
   generate.add_option("--size", arguments->size, wrapped(default_sizes())).type_name("WxH");
   add_count(generate, "--seed", arguments->seed, "Seed of the map (default 1)");
-  add_texts(generate, "--keep", arguments->keep,
-            "Cells that stay free, as in 1,1,18,18 for a start and a goal; may be given several "
-            "times. A note says if no path joins them")
+  add_texts(
+      generate, "--keep", arguments->keep,
+      "Cells that stay free and joined by a path of a point, as in 1,1,18,18 for a start and a "
+      "goal; may be given several times. Where no path joins them, as few more cells as "
+      "possible are freed, and a note says how many")
       .type_name("X,Y[,X,Y]");
   add_format(generate, arguments->format);
   arguments->output.add_to(

@@ -26,6 +26,7 @@
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
+#include "cli/output/terminal.hpp"
 
 namespace wend::cli {
 namespace {
@@ -84,7 +85,7 @@ std::string text_of(const BenchArguments& arguments, const std::vector<BenchRow>
   const BenchConditions conditions = arguments.settings.conditions();
   switch (arguments.format) {
     case TableFormat::text:
-      return bench_table(conditions, rows);
+      return bench_table(conditions, rows, table_width(detect_screen()));
     case TableFormat::json:
       return bench_json(conditions, rows);
     case TableFormat::csv:

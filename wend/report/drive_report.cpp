@@ -88,7 +88,7 @@ MarkedColumn column_of(std::span<const ControlledDrive> drives, const DriveMeasu
   return column;
 }
 
-std::string table_of_many(std::span<const ControlledDrive> drives) {
+std::string table_of_many(std::span<const ControlledDrive> drives, std::size_t width) {
   bool marked = false;
   constexpr std::size_t kLongestName = 16;
   std::vector<TextTable::Column> titles{{"controller", Align::left, kLongestName}, {"outcome"}};
@@ -105,7 +105,7 @@ std::string table_of_many(std::span<const ControlledDrive> drives) {
     for (const MarkedColumn& column : columns) fields.push_back(column.fields[i]);
     table.add(std::move(fields));
   }
-  return table.text() + (marked ? "* best of those that reached the goal\n" : "");
+  return table.text(width) + (marked ? "* best of those that reached the goal\n" : "");
 }
 
 Json json_of(const std::vector<DriveSample>& samples, const Frame& frame) {
@@ -152,8 +152,8 @@ Json json_of(const ControlledDrive& driven, const Frame& frame, DriveSamples sam
 
 }  // namespace
 
-std::string drive_table(std::span<const ControlledDrive> drives) {
-  return drives.size() == 1 ? table_of_one(drives.front()) : table_of_many(drives);
+std::string drive_table(std::span<const ControlledDrive> drives, std::size_t width) {
+  return drives.size() == 1 ? table_of_one(drives.front()) : table_of_many(drives, width);
 }
 
 std::string drive_csv(std::span<const ControlledDrive> drives, const Frame& frame) {

@@ -3,6 +3,7 @@
 // How robots drove along a path: a comparison of controllers, for people and for programs. See
 // simulation.hpp for the meaning of each number.
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -18,9 +19,8 @@ struct ControlledDrive {
 };
 
 /// For one drive, a line for each value. For several, a line for each controller; in each column the best
-/// of those that reached the goal is marked. At most 80 columns if names have no more than 16 and drives
-/// take less than 1000 s.
-std::string drive_table(std::span<const ControlledDrive> drives);
+/// of those that reached the goal is marked. Columns for which there is no room in that width follow below.
+std::string drive_table(std::span<const ControlledDrive> drives, std::size_t width = 80);
 
 enum class DriveSamples { none, all };
 

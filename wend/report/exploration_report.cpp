@@ -24,7 +24,8 @@ std::string milliseconds(double seconds) { return fmt::format("{:.3f}", seconds 
 
 }  // namespace
 
-std::string exploration_table(const ExplorationReport& report, const Frame& frame, bool metric) {
+std::string exploration_table(const ExplorationReport& report, const Frame& frame, bool metric,
+                              std::size_t width) {
   TextTable table({{"planner"},
                    {"outcome"},
                    {metric ? "driven\nm" : "driven\ncells", Align::right},
@@ -43,7 +44,7 @@ std::string exploration_table(const ExplorationReport& report, const Frame& fram
                milliseconds(row.totals.first_seconds), milliseconds(row.totals.planning_seconds),
                milliseconds(row.totals.worst_seconds)});
   }
-  return table.text();
+  return table.text(width);
 }
 
 std::string exploration_json(const ExplorationReport& report, const Frame& frame) {

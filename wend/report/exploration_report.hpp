@@ -9,6 +9,7 @@
 // "cost" is that of what was driven, on the true map. "first_us" is the time of the first plan, "planning_us" of all
 // of them, "worst_us" of the longest but the first.
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,8 +37,10 @@ struct ExplorationReport {
   std::vector<ExplorationRow> rows;
 };
 
-/// A row for each planner. `metric`: lengths in metres, else in cells.
-std::string exploration_table(const ExplorationReport& report, const Frame& frame, bool metric);
+/// A row for each planner. `metric`: lengths in metres, else in cells. Columns for which there is no room in that width
+/// follow below.
+std::string exploration_table(const ExplorationReport& report, const Frame& frame, bool metric,
+                              std::size_t width = 80);
 
 /// One line with its line end.
 std::string exploration_json(const ExplorationReport& report, const Frame& frame);

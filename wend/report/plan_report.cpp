@@ -10,6 +10,7 @@
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/report/json.hpp"
+#include "wend/robot/repeated_moves.hpp"
 
 namespace wend {
 namespace {
@@ -82,13 +83,9 @@ std::string drive_commands(const Plan& plan, const Frame& frame) {
   const std::vector<Pose> poses = plan.path.poses();
   assert(plan.moves.size() + 1 == poses.size());
   std::string text = "Start " + pose_text(poses.front(), frame) + "\n";
-  for (std::size_t i = 0; i < plan.moves.size();) {
-    std::size_t end = i + 1;
-    while (end < plan.moves.size() && plan.moves[end] == plan.moves[i]) ++end;
-    const std::string times = end - i > 1 ? fmt::format("{} x ", end - i) : "";
-    fmt::format_to(std::back_inserter(text), "Go {}{} -> {}\n", times, plan.moves[i],
-                   pose_text(poses[end], frame));
-    i = end;
+  for (const RepeatedMove& move : merged_moves(plan.moves)) {
+    fmt::format_to(std::back_inserter(text), "Go {} -> {}\n", text_of(move),
+                   pose_text(poses[move.end], frame));
   }
   return text;
 }

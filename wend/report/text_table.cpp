@@ -115,6 +115,30 @@ std::string TextTable::text() const {
   return text;
 }
 
+TextTable TextTable::with_columns(const std::vector<std::size_t>& columns) const {
+  TextTable part({});
+  part.further_ = further_;
+  for (const std::size_t column : columns) part.columns_.push_back(columns_[column]);
+  for (const std::vector<std::string>& row : rows_) {
+    std::vector<std::string>& fields = part.rows_.emplace_back();
+    for (const std::size_t column : columns) fields.push_back(row[column]);
+  }
+  return part;
+}
+
+std::string TextTable::text(std::size_t width) const {
+  std::string text;
+  std::vector<std::size_t> beside{0};
+  for (std::size_t column = 1; column < columns_.size(); ++column) {
+    beside.push_back(column);
+    if (beside.size() == 2 || with_columns(beside).width() <= width) continue;
+    beside.pop_back();
+    text += with_columns(beside).text() + "\n";
+    beside = {0, column};
+  }
+  return text + with_columns(beside).text();
+}
+
 std::string TextTable::line(const std::vector<std::string>& fields,
                             const std::vector<std::size_t>& widths) const {
   std::string line;

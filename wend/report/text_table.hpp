@@ -37,7 +37,12 @@ class TextTable {
   /// The titles, then the rows, each with its line end.
   std::string text() const;
 
+  /// The same in at most that many columns where one field fits beside the first one: columns for which there is no room
+  /// follow in tables below, again behind the first column.
+  std::string text(std::size_t width) const;
+
  private:
+  TextTable with_columns(const std::vector<std::size_t>& columns) const;
   std::vector<std::vector<std::string>> lines() const;
   std::vector<std::size_t> widths(const std::vector<std::vector<std::string>>& lines) const;
   std::string line(const std::vector<std::string>& fields,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace wend {
 namespace {
 
@@ -60,6 +62,26 @@ TEST(TextTable, LetsFurtherLinesReachBelowOtherColumns) {
             "astar:w=2,  1.5\n"
             "  heuristic=euclidean\n");
   EXPECT_EQ(table.width(), 21U);
+}
+
+TEST(TextTable, PutsColumnsBelowForWhichThereIsNoRoom) {
+  TextTable table(
+      {{"planner", Align::left, 8}, {"us", Align::right}, {"cost"}, {"expanded", Align::right}});
+  table.add({"astar:w=2,h=1", "1.5", "7", "12"});
+  table.add({"bfs", "2", "8", "345"});
+  EXPECT_EQ(table.text(table.width()), table.text());
+  EXPECT_EQ(table.text(21),
+            "planner      us  cost\n"
+            "astar:w=2,  1.5  7\n"
+            "  h=1\n"
+            "bfs           2  8\n"
+            "\n"
+            "planner     expanded\n"
+            "astar:w=2,        12\n"
+            "  h=1\n"
+            "bfs              345\n");
+  const std::string narrow = table.text(1);
+  EXPECT_EQ(std::ranges::count(narrow, '\n'), 3 * 4 + 2) << "a column each: " << narrow;
 }
 
 TEST(TextTable, IsItsTitlesWithoutRows) { EXPECT_EQ(TextTable({{"a"}, {"b"}}).text(), "a  b\n"); }

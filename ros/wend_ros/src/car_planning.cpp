@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/car_primitives.hpp"
+#include "wend/robot/repeated_moves.hpp"
 
 namespace wend_ros {
 namespace {
@@ -153,15 +155,14 @@ CarRequest request_for(const wend::GridMap& yard) {
 }
 
 std::vector<std::string> commands_of(const CarResult& result) {
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < result.path.size(); ++i) {
-    const std::string pose = pose_text(result.path[i]);
-    if (i == 0) {
-      lines.push_back("Start " + pose);
-      continue;
-    }
-    const auto move = static_cast<wend::CarMove>(result.moves[i - 1]);
-    lines.push_back("Go " + std::string(wend::name_of(move, wend::Frame{})) + " -> " + pose);
+  if (result.path.empty()) return {};
+  std::vector<std::string> lines{"Start " + pose_text(result.path.front())};
+  std::vector<std::string_view> names;
+  for (const auto move : result.moves) {
+    names.push_back(wend::name_of(static_cast<wend::CarMove>(move), wend::Frame{}));
+  }
+  for (const wend::RepeatedMove& move : wend::merged_moves(names)) {
+    lines.push_back("Go " + wend::text_of(move) + " -> " + pose_text(result.path[move.end]));
   }
   return lines;
 }

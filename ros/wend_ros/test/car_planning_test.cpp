@@ -60,7 +60,8 @@ TEST(CarPlanning, MovesAreNumberedAsTheMessageSays) {
   const CarResult result = plan_car(back);
   ASSERT_EQ(result.moves.size(), 2U);
   EXPECT_EQ(result.moves[0], CarResult::REV);
-  EXPECT_EQ(commands_of(result).back(), "Go REV -> (3,5,E)");
+  EXPECT_EQ(commands_of(result),
+            (std::vector<std::string>{"Start (5,5,E)", "Go 2 x REV -> (3,5,E)"}));
 }
 
 TEST(CarArguments, AreTenOrNone) {

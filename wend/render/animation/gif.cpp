@@ -7,7 +7,10 @@
 #include <bit>
 #include <cassert>
 #include <iterator>
+#include <optional>
 #include <unordered_map>
+
+#include "wend/render/animation/lzw_encoder.hpp"
 
 namespace wend {
 namespace {
@@ -77,25 +80,15 @@ struct Area {
   int height = 1;
 };
 
-/// The smallest area in which two images differ; nothing if they are equal.
-std::optional<Area> changed_area(const Grid<Index>& a, const Grid<Index>& b) {
-  int left = a.width();
-  int right = -1;
-  int top = -1;
-  int bottom = -1;
-  for (int y = 0; y < a.height(); ++y) {
-    const auto row = a.row(y);
-    const auto other = b.row(y);
-    const auto first = std::mismatch(row.begin(), row.end(), other.begin()).first;
-    if (first == row.end()) continue;
-    const auto last = std::mismatch(row.rbegin(), row.rend(), other.rbegin()).first;
-    left = std::min(left, static_cast<int>(first - row.begin()));
-    right = std::max(right, static_cast<int>(row.rend() - last) - 1);
-    if (top < 0) top = y;
-    bottom = y;
+/// Calls visit(value, length) for the runs of equal values, from left to right.
+template <class Value, class Visit>
+void for_runs_of(std::span<const Value> row, Visit&& visit) {
+  for (auto run = row.begin(); run != row.end();) {
+    const Value value = *run;
+    const auto end = std::find_if(run, row.end(), [value](Value other) { return other != value; });
+    visit(value, end - run);
+    run = end;
   }
-  if (top < 0) return std::nullopt;
-  return Area{left, top, right - left + 1, bottom - top + 1};
 }
 
 }  // namespace
@@ -104,10 +97,11 @@ class GifAnimation::Writer {
  public:
   Writer(int width, int height, std::vector<std::uint32_t> palette)
       : colours_(std::move(palette)),
+        row_(static_cast<std::size_t>(width)),
         written_(width, height),
         shown_(width, height),
-        next_(width, height),
         pixels_(width, height),
+        encoder_(bits_of(colours_.palette())),
         file_(EGifOpen(&bytes_, append_bytes, &error_)) {
     if (file_ != nullptr) write_head();
   }
@@ -116,12 +110,21 @@ class GifAnimation::Writer {
   int height() const { return shown_.height(); }
 
   void add(const Grid<std::uint32_t>& pixels, int centiseconds) {
-    for (int y = 0; y < pixels.height(); ++y) take_row(pixels.row(y), y);
-    if (state_ == State::empty || shown_ != next_) {
-      write_shown();
-      std::swap(shown_, next_);
-      state_ = state_ == State::empty ? State::first_shown : State::others_shown;
+    const bool is_first = state_ == State::empty;
+    bool differs = false;
+    for (int y = 0; y < pixels.height(); ++y) {
+      const auto row = pixels.row(y);
+      // Most rows of most frames are those of the frame before.
+      if (!is_first && std::ranges::equal(row, pixels_.row(y))) continue;
+      std::ranges::copy(row, pixels_.row(y).begin());
+      take_colours(row);
+      if (!is_first && std::ranges::equal(row_, shown_.row(y))) continue;
+      if (!is_first && !differs) write_shown();
+      differs = true;
+      if (!is_first) widen_changed(y);
+      std::ranges::copy(row_, shown_.row(y).begin());
     }
+    if (is_first) state_ = State::first_shown;
     delay_ += centiseconds;
   }
 
@@ -138,17 +141,28 @@ class GifAnimation::Writer {
  private:
   enum class State { empty, first_shown, others_shown };
 
-  /// Into the next frame. Most rows of most frames are those of the frame before.
-  void take_row(std::span<const std::uint32_t> row, int y) {
-    if (state_ != State::empty && std::ranges::equal(row, pixels_.row(y))) {
-      std::ranges::copy(shown_.row(y), next_.row(y).begin());
-      return;
-    }
-    std::ranges::copy(row, pixels_.row(y).begin());
-    const auto indices = next_.row(y);
-    for (std::size_t x = 0; x < row.size(); ++x) {
-      indices[x] = x > 0 && row[x] == row[x - 1] ? indices[x - 1] : colours_[row[x]];
-    }
+  static int bits_of(const std::vector<std::uint32_t>& palette) {
+    return std::max(2, static_cast<int>(std::bit_width(palette.size())));
+  }
+
+  /// A row as indices, into row_.
+  void take_colours(std::span<const std::uint32_t> row) {
+    auto to = row_.begin();
+    for_runs_of(row, [&](std::uint32_t colour, std::ptrdiff_t length) {
+      to = std::fill_n(to, length, colours_[colour]);
+    });
+  }
+
+  /// By what differs between row_ and the row y that it replaces.
+  void widen_changed(int y) {
+    const auto old = shown_.row(y);
+    const auto first = std::ranges::mismatch(row_, old).in1 - row_.begin();
+    const auto after = row_.rend() - std::mismatch(row_.rbegin(), row_.rend(), old.rbegin()).first;
+    if (!changed_) changed_ = Area{static_cast<int>(first), y, 1, 1};
+    const int right = std::max(changed_->left + changed_->width, static_cast<int>(after));
+    changed_->left = std::min(changed_->left, static_cast<int>(first));
+    changed_->width = right - changed_->left;
+    changed_->height = y - changed_->top + 1;
   }
 
   void check(int result) {
@@ -159,9 +173,8 @@ class GifAnimation::Writer {
 
   void write_head() {
     const auto& palette = colours_.palette();
-    const auto size = std::bit_ceil(palette.size() + 1);
     const std::unique_ptr<ColorMapObject, decltype(&GifFreeMapObject)> map(
-        GifMakeMapObject(static_cast<int>(size), nullptr), GifFreeMapObject);
+        GifMakeMapObject(1 << bits_of(palette), nullptr), GifFreeMapObject);
     if (map == nullptr) {
       error_ = E_GIF_ERR_NOT_ENOUGH_MEM;
       return;
@@ -185,12 +198,15 @@ class GifAnimation::Writer {
 
   /// Writes the frame that is shown, now that its time is known.
   void write_shown() {
-    if (state_ == State::empty) return;
     const bool is_first = state_ == State::first_shown;
     Area area{0, 0, shown_.width(), shown_.height()};
-    if (!is_first) area = changed_area(written_, shown_).value_or(Area{});
+    if (!is_first) area = changed_.value_or(Area{});
     write_frame(area, !is_first);
-    written_ = shown_;
+    for (int y = area.top; y < area.top + area.height; ++y) {
+      std::ranges::copy(shown_.row(y), written_.row(y).begin());
+    }
+    changed_.reset();
+    state_ = State::others_shown;
     while (delay_ > 0) write_frame(Area{}, true);
   }
 
@@ -206,32 +222,55 @@ class GifAnimation::Writer {
     check(EGifPutExtension(file_.get(), GRAPHICS_EXT_FUNC_CODE, bytes.size(), bytes.data()));
     check(EGifPutImageDesc(file_.get(), area.left, area.top, area.width, area.height, false,
                            nullptr));
-    int last = -1;
+    std::optional<Index> last;
     for (int y = area.top; y < area.top + area.height; ++y) {
-      last = choose_line(area, y, onto_another, last);
-      check(EGifPutLine(file_.get(), line_.data(), area.width));
+      last = write_row(area, y, onto_another, last);
     }
+    write_blocks(encoder_.finish());
   }
 
-  /// Chooses what to write for row y of an area; returns the last pixel. One that stays as it is
-  /// may be written or be transparent: what repeats the pixel before compresses better.
-  int choose_line(const Area& area, int y, bool onto_another, int last) {
-    line_.clear();
-    for (int x = area.left; x < area.left + area.width; ++x) {
-      const Index index = shown_[{x, y}];
-      const bool stays = onto_another && index == written_[{x, y}];
-      last = stays && index != last ? transparent() : index;
-      line_.push_back(static_cast<Index>(last));
+  /// Row y of an area, behind that pixel; returns the last one. A pixel that stays as it is may be written or be
+  /// transparent: what repeats the pixel before compresses better.
+  Index write_row(const Area& area, int y, bool onto_another, std::optional<Index> last) {
+    const auto part = [&](const Grid<Index>& image) {
+      return image.row(y).subspan(static_cast<std::size_t>(area.left),
+                                  static_cast<std::size_t>(area.width));
+    };
+    const auto shown = part(shown_);
+    const auto written = part(written_);
+    if (onto_another && std::ranges::equal(shown, written)) {
+      encoder_.add(transparent(), area.width);
+      return transparent();
     }
-    return last;
+    int run = 0;
+    for (std::size_t x = 0; x < shown.size(); ++x) {
+      const bool stays = onto_another && shown[x] == written[x];
+      const Index index = stays && shown[x] != last ? transparent() : shown[x];
+      if (index != last) {
+        if (run > 0) encoder_.add(*last, run);
+        run = 0;
+      }
+      last = index;
+      ++run;
+    }
+    encoder_.add(*last, run);
+    return *last;
   }
 
-  std::vector<Index> line_;
+  /// What the library would compress pixel by pixel.
+  void write_blocks(const std::string& blocks) {
+    const auto* block = reinterpret_cast<const GifByteType*>(blocks.data());
+    for (; *block != 0; block += *block + 1) check(EGifPutCodeNext(file_.get(), block));
+    check(EGifPutCodeNext(file_.get(), nullptr));
+  }
+
   NearestColours colours_;
-  Grid<Index> written_;  // what viewers show after the last frame that was written
-  Grid<Index> shown_;    // the frame whose time is not over
-  Grid<Index> next_;
-  Grid<std::uint32_t> pixels_;  // of the frame that was added last
+  std::vector<Index> row_;
+  Grid<Index> written_;          // what viewers show after the last frame that was written
+  Grid<Index> shown_;            // the frame whose time is not over
+  std::optional<Area> changed_;  // where they differ, but for the first frame
+  Grid<std::uint32_t> pixels_;   // of the frame that was added last
+  LzwEncoder encoder_;
   State state_ = State::empty;
   std::int64_t delay_ = 0;
   int error_ = 0;
@@ -260,7 +299,9 @@ Expected<std::string, Error> GifAnimation::finish() { return writer_->finish(); 
 std::vector<std::uint32_t> palette_of(std::span<const Grid<std::uint32_t>> frames) {
   std::unordered_map<std::uint32_t, std::uint64_t> counts;
   for (const Grid<std::uint32_t>& frame : frames) {
-    for (const std::uint32_t colour : frame.values()) ++counts[colour];
+    for_runs_of(frame.values(), [&](std::uint32_t colour, std::ptrdiff_t length) {
+      counts[colour] += static_cast<std::uint64_t>(length);
+    });
   }
   std::vector<std::pair<std::uint64_t, std::uint32_t>> ranking;
   ranking.reserve(counts.size());

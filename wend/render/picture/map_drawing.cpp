@@ -105,10 +105,15 @@ void write_enlarged(const CellPaints& paints, int across, int down, const RowOrd
                     Write&& write) {
   std::vector<std::uint32_t> pixels(static_cast<std::size_t>(across) *
                                     static_cast<std::size_t>(paints.width()));
+  Colour last;
+  std::uint32_t rgb = rgb_of(last);
   for (int n = 0; n < paints.height(); ++n) {
     auto pixel = pixels.begin();
     for (int x = 0; x < paints.width(); ++x) {
-      pixel = std::fill_n(pixel, across, rgb_of(paints[{x, order.row(n)}].colour));
+      const Colour colour = paints[{x, order.row(n)}].colour;
+      if (colour != last) rgb = rgb_of(colour);
+      last = colour;
+      pixel = std::fill_n(pixel, across, rgb);
     }
     for (int i = 0; i < down; ++i) write(n * down + i, std::span<const std::uint32_t>(pixels));
   }

@@ -26,7 +26,7 @@ CarResult plan_car(const CarRequest& request, const Watch& watch = {});
 /// A request for a yard: its map, of any kind that wend reads, with y down.
 CarRequest request_for(const wend::GridMap& yard);
 
-/// "Start (0,0,E)", then "Go FWD_RIGHT -> (2,1,S)", a line each.
+/// "Start (0,0,E)", then "Go FWD_RIGHT -> (2,1,S)", "Go 3 x FWD -> (2,4,S)": a line for equal moves in a row.
 std::vector<std::string> commands_of(const CarResult& result);
 
 /// The drive in the frame `car_map`.
