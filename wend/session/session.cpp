@@ -28,6 +28,12 @@ bool steps_from_cell_to_cell(const PlannerSpec& spec) {
   return info != nullptr && !info->capabilities.any_angle;
 }
 
+Query unwatched(Query query) {
+  query.observer = nullptr;
+  query.on_solution = {};
+  return query;
+}
+
 std::optional<Error> fault_of(const PlanRequest& request, bool steps) {
   if (!(request.keep >= 0)) {
     return Error{Status::invalid_option, "keep must be at least 0", "keep"};
@@ -40,12 +46,6 @@ std::optional<Error> fault_of(const PlanRequest& request, bool steps) {
                  "only planners that step from cell to cell answer from a field", "from_field"};
   }
   return std::nullopt;
-}
-
-Query unwatched(Query query) {
-  query.observer = nullptr;
-  query.on_solution = {};
-  return query;
 }
 
 /// The copy constructor of tl::expected is noexcept: it would end the program where there is no memory.
