@@ -69,7 +69,7 @@ TEST_F(ExplainDrive, SaysWhatHelpsAndItHelps) {
   const Outcome outcome = explain(facing_the_end);
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("found no drive"), HasSubstr("the start (5.5,7.5,90deg)"),
+              AllOf(HasSubstr("found no drive"), HasSubstr("the start (5.5,7.5,S)"),
                     HasSubstr("would help        driving in reverse (--allow-reverse)")));
   std::vector<std::string> in_reverse = facing_the_end;
   in_reverse.back() = "--allow-reverse";

@@ -141,7 +141,7 @@ TEST_F(LatticeCommand, MovesAStartWhereTheRobotDoesNotFit) {
   nearest.emplace_back("--nearest");
   const Outcome moved = plan(nearest);
   EXPECT_EQ(moved.code, 0) << moved.err;
-  EXPECT_THAT(moved.err, HasSubstr("the robot does not fit at the start (5.5,2.5,0deg)"));
+  EXPECT_THAT(moved.err, HasSubstr("the robot does not fit at the start (5.5,2.5,E)"));
   EXPECT_THAT(moved.err, HasSubstr("; planning from cell (5,1), 1 cell away"));
 }
 

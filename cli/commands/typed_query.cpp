@@ -131,7 +131,7 @@ std::string CellQuery::summary(const PlanResult& result) const {
   if (goals_.size() > 1) {
     goal = goal_line(coordinates_.text(cell_at(result.plan.path.points().back())), goals_.size());
   }
-  return goal + shift_line(result.plan, coordinates_) + robot_line(result) +
+  return goal + shift_line(result, coordinates_) + robot_line(result) +
          plan_summary(result, space_.map().frame());
 }
 

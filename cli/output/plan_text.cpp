@@ -10,6 +10,7 @@
 #include "wend/base/thread_time.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/report/plan_report.hpp"
+#include "wend/session/shift_text.hpp"
 
 namespace wend::cli {
 namespace {
@@ -66,24 +67,12 @@ std::string radius_text(int radius, const Coordinates& coordinates) {
   return coordinates.metric() ? fmt::format("{}, {}", coordinates.length(radius), cells) : cells;
 }
 
-/// "1 cell and 40 degrees from what was asked"; empty for a mere rounding error.
-std::string snapping_error_text(const SnappingError& error, const Coordinates& coordinates) {
-  constexpr double kRounding = 1e-9;
-  std::vector<std::string> parts;
-  if (error.distance > kRounding) parts.push_back(coordinates.length(error.distance));
-  if (error.turn > kRounding) {
-    parts.push_back(fmt::format("{:.3g} degrees", degrees_from(error.turn)));
-  }
-  if (parts.empty()) return {};
-  return fmt::format("{} from what was asked", fmt::join(parts, " and "));
-}
-
 /// Where a drive begins or ends, if the steps do not say everything about it.
 std::string end_line(std::string_view name, const Pose& pose, const SnappingError& error,
                      std::size_t ends, const Coordinates& coordinates) {
   std::vector<std::string> remarks;
   if (ends > 1) remarks.push_back(one_of(ends));
-  if (auto shifted = snapping_error_text(error, coordinates); !shifted.empty()) {
+  if (auto shifted = shift_text(error, coordinates); !shifted.empty()) {
     remarks.push_back(std::move(shifted));
   }
   if (remarks.empty()) return {};
@@ -153,15 +142,12 @@ std::string goal_line(const std::string& goal, std::size_t goals) {
   return named_line("goal", fmt::format("{}, {}", goal, one_of(goals)));
 }
 
-std::string shift_line(const Plan& plan, const Coordinates& coordinates) {
-  std::vector<std::string> parts;
-  for (const auto& [name, error] : {std::pair("start", plan.start_snapping_error),
-                                    std::pair("goal", plan.goal_snapping_error)}) {
-    const std::string text = snapping_error_text(error, coordinates);
-    if (!text.empty()) parts.push_back(fmt::format("the {} {}", name, text));
-  }
-  if (parts.empty()) return {};
-  return named_line("ends", fmt::format("in the middles of cells: {}", fmt::join(parts, ", ")));
+std::string shift_line(const PlanResult& result, const Coordinates& coordinates) {
+  // A goal that no path reaches has a line of its own.
+  const SnappingError goal =
+      result.remaining.value_or(0) > 0 ? SnappingError{} : result.plan.goal_snapping_error;
+  const std::string shifts = shifts_text(result.plan.start_snapping_error, goal, coordinates);
+  return shifts.empty() ? shifts : named_line("ends", "in the middles of cells: " + shifts);
 }
 
 std::string robot_line(const PlanResult& result) {

@@ -23,7 +23,7 @@ std::string path_line(const Path& path, const Frame& frame);
 std::string goal_line(const std::string& goal, std::size_t goals);
 
 /// How far the ends of a path of cells are from what was asked, with its line end; empty if they are there.
-std::string shift_line(const Plan& plan, const Coordinates& coordinates);
+std::string shift_line(const PlanResult& result, const Coordinates& coordinates);
 
 /// A line that says that a planner without headings used the disc around the robot's polygon; empty
 /// for any other robot.

@@ -19,7 +19,7 @@ interface Exports {
   robot(text: number, distance: number, cost: number, unknownFree: number): void;
   plan(planner: number, smoother: number, startX: number, startY: number, startHeading: number,
        goalX: number, goalY: number, goalHeading: number, headings: number, record: number,
-       nearest: number, expansions: number, seconds: number): void;
+       nearest: number, closest: number, escape: number, expansions: number, seconds: number): void;
   places(startX: number, startY: number, startHeading: number, goalX: number, goalY: number, goalHeading: number,
          headings: number): void;
   widest(startX: number, startY: number, goalX: number, goalY: number): void;
@@ -142,8 +142,8 @@ export class EngineModule {
     const both = this.write(task.planner + (task.smoother ?? ''));
     this.wasm.plan(planner, both - planner, task.start.x, task.start.y, task.start.heading,
                    task.goal.x, task.goal.y, task.goal.heading, Number(task.headings),
-                   Number(task.record), Number(task.nearest ?? false), task.expansions ?? 0,
-                   task.seconds ?? 0);
+                   Number(task.record), Number(task.nearest ?? false), Number(task.closest ?? false),
+                   task.escape ?? 0, task.expansions ?? 0, task.seconds ?? 0);
     const outcome = this.answer<PlanText | Failure>();
     if ('error' in outcome) return outcome;
     const points = this.points();

@@ -116,6 +116,8 @@ export class Runner {
       start: state.start,
       goal: state.goal,
       headings: state.headings,
+      escape: state.escape,
+      closest: state.closest,
       record,
       nearest: dragging,
       seconds: 60,

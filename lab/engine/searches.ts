@@ -24,7 +24,8 @@ export class Searches {
     if (stroke) for (const runner of this.runners) runner.edit(stroke);
     this.resize(state.runs.length);
     const all = state.map !== before.map || state.start !== before.start || state.goal !== before.goal ||
-      state.footprint !== before.footprint || state.smoother !== before.smoother || state.headings !== before.headings;
+      state.footprint !== before.footprint || state.smoother !== before.smoother || state.headings !== before.headings ||
+      state.escape !== before.escape || state.closest !== before.closest;
     const asksMore = state.following !== before.following || state.widest !== before.widest;
     state.runs.forEach((run, i) => {
       const runner = this.runners[i]!;

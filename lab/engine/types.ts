@@ -105,10 +105,21 @@ export interface Task {
   headings: boolean;
   /** Write the search down, for a replay? */
   record: boolean;
+  /** Move blocked ends? */
   nearest?: boolean;
+  /** End at the closest place if no path reaches the goal? */
+  closest?: boolean;
+  /** The longest way out of a blocked start, in metres (in cells on a map without them); 0: none. */
+  escape?: number;
   /** The most expansions and seconds; 0: no limit. */
   expansions?: number;
   seconds?: number;
+}
+
+/** A length as a number and in words. */
+export interface Length {
+  metres: number;
+  text: string;
 }
 
 /** A path that an anytime planner found on the way: see docs/anytime.md. */
@@ -131,6 +142,12 @@ export interface Outcome {
   bound?: number | null;
   length?: number;
   notes?: string[];
+  /** How the path begins if the robot does not fit at the start; the cost is that of the rest. */
+  wayOut?: Length;
+  /** The points of the path up to the first free one. */
+  wayOutPoints?: number;
+  /** From the path's end to the goal, if the closest place was asked for. */
+  remaining?: Length;
   expanded: number;
   generated: number;
   maxFrontier: number;

@@ -1,5 +1,7 @@
 // Files that a visitor opens together: a map, or a map.yaml and its image, and perhaps queries.
 
+import { readDeepPng } from './deep_png';
+import { doubtsAboutFrame } from './doubts';
 import { FileFault, fault, type GridFile } from './grid';
 import { gridOf, readPicture, readPnm, type GreyImage } from './image';
 import { readMapYaml } from './map_yaml';
@@ -47,14 +49,16 @@ async function openText(file: File): Promise<GridFile> {
 }
 
 async function openYaml(yaml: File, files: File[]): Promise<GridFile> {
-  const { image, frame, meaning } = readMapYaml(await yaml.text(), yaml.name);
+  const { image, frame, meaning, notes } = readMapYaml(await yaml.text(), yaml.name);
   const name = image.split(/[/\\]/).at(-1)!;
   const picture = files.find((file) => file.name === name);
   if (!picture) throw fault(yaml.name, 0, `open it together with its image, ${name}`);
-  return gridOf(await imageOf(picture), meaning, frame);
+  const grid = gridOf(await imageOf(picture), meaning, frame);
+  return { ...grid, notes: [...notes, ...doubtsAboutFrame(frame), ...grid.notes] };
 }
 
 async function imageOf(file: File): Promise<GreyImage> {
   const bytes = new Uint8Array(await file.arrayBuffer());
-  return bytes[0] === 80 && bytes[1]! >= 49 && bytes[1]! <= 54 ? readPnm(bytes, file.name) : readPicture(file, file.name);
+  if (bytes[0] === 80 && bytes[1]! >= 49 && bytes[1]! <= 54) return readPnm(bytes, file.name);
+  return await readDeepPng(bytes, file.name) ?? readPicture(file, file.name);
 }

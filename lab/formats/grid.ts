@@ -9,6 +9,8 @@ export interface GridFile {
   frame: Frame;
   /** A byte a cell, see lab/wasm/cells.hpp; the first row is that of the frame's row 0. */
   cells: Uint8Array;
+  /** What is unusual or probably not meant in the file: sentences, as the library's. */
+  notes: string[];
 }
 
 export const mostSide = 4096;
@@ -26,8 +28,8 @@ export function checkSize(file: string, width: number, height: number): void {
   }
 }
 
-export function plainGrid(width: number, height: number, cells: Uint8Array): GridFile {
-  return { width, height, frame: plainFrame, cells };
+export function plainGrid(width: number, height: number, cells: Uint8Array, notes: string[] = []): GridFile {
+  return { width, height, frame: plainFrame, cells, notes };
 }
 
 /** Lines without their ends, LF or CRLF. */

@@ -2,6 +2,7 @@
 // decoded by the browser, PNM here.
 
 import { plainFrame, unknown, type Frame } from '../engine/types';
+import { doubtsAboutImage } from './doubts';
 import { checkSize, fault, type GridFile } from './grid';
 
 export interface GreyImage {
@@ -11,6 +12,7 @@ export interface GreyImage {
   values: Uint16Array | Uint8Array;
   /** For each pixel: is it not fully opaque? Empty: none. */
   transparent: Uint8Array;
+  notes?: string[];
 }
 
 export interface Meaning {
@@ -49,7 +51,7 @@ export function gridOf(image: GreyImage, meaning: Meaning = usualMeaning, frame:
       cells[row * width + x] = clear ? unknown : table[image.values[pixel]!]!;
     }
   }
-  return { width, height, frame, cells };
+  return { width, height, frame, cells, notes: [...image.notes ?? [], ...doubtsAboutImage(image, meaning, cells)] };
 }
 
 /** The grey of a colour, as `luma()` of wend/io/image/grey_image.hpp. */
@@ -63,11 +65,14 @@ export function readPnm(bytes: Uint8Array, file: string): GreyImage {
   const kind = String.fromCharCode(...bytes.subarray(0, 2));
   if (!['P1', 'P2', 'P3', 'P4', 'P5', 'P6'].includes(kind)) throw fault(file, 0, `images of kind ${JSON.stringify(kind)} are not read here: save it as PNG or PGM`);
   const isBlank = (byte: number | undefined) => byte === 32 || (byte !== undefined && byte >= 9 && byte <= 13);
-  const next = (digits = 9): number => {
+  const skipSpace = (): void => {
     while (isBlank(bytes[at]) || bytes[at] === 35) {
       if (bytes[at] === 35) while (at < bytes.length && bytes[at] !== 10) ++at;
       else ++at;
     }
+  };
+  const next = (digits = 9): number => {
+    skipSpace();
     let text = '';
     while (text.length < digits && bytes[at] !== undefined && bytes[at]! >= 48 && bytes[at]! <= 57) text += String.fromCharCode(bytes[at++]!);
     if (text === '') throw fault(file, 0, 'the image is cut off, or a number in it is missing');
@@ -90,6 +95,7 @@ export function readPnm(bytes: Uint8Array, file: string): GreyImage {
   if (kind === 'P1' || kind === 'P2' || kind === 'P3') {
     // In a bitmap, 1 is black.
     for (let i = 0; i < values.length; ++i) values[i] = bits ? 1 - next(1) : grey(() => next());
+    skipSpace();
   } else {
     ++at;  // one blank ends the header
     const wide = maximum > 255 ? 2 : 1;
@@ -102,8 +108,11 @@ export function readPnm(bytes: Uint8Array, file: string): GreyImage {
         values[y * width + x] = bits ? 1 - ((bytes[at + y * row + (x >> 3)]! >> (7 - (x & 7))) & 1) : grey(sample);
       }
     }
+    at += row * height;
   }
-  return { width, height, maximum, values, transparent: new Uint8Array() };
+  const rest = bytes.length - at;
+  const notes = rest === 0 || (rest === 1 && isBlank(bytes[at])) ? [] : [`${rest} bytes after the last pixel of the image are ignored`];
+  return { width, height, maximum, values, transparent: new Uint8Array(), notes };
 }
 
 /** An image that the browser can decode. */

@@ -8,7 +8,10 @@ export interface MapYaml {
   image: string;
   frame: Frame;
   meaning: Meaning;
+  notes: string[];
 }
+
+const keys = ['image', 'resolution', 'origin', 'negate', 'occupied_thresh', 'free_thresh', 'mode'];
 
 export function readMapYaml(text: string, file: string): MapYaml {
   const fields = fieldsOf(text);
@@ -37,6 +40,7 @@ export function readMapYaml(text: string, file: string): MapYaml {
     image,
     frame: { resolution, originX: origin[0]!, originY: origin[1]!, originYaw: origin[2] ?? 0, yUp: true, metric: true },
     meaning: { mode, negate: /^(1|true)$/i.test(negateText), occupied, free },
+    notes: [...fields.keys()].filter((key) => !keys.includes(key)).map((key) => `unknown key '${key}' in the map.yaml is ignored`),
   };
 }
 

@@ -41,7 +41,11 @@ export function readMovingAi(text: string, file: string): GridFile {
   });
   const extra = lines.slice(at + 1 + height).findIndex((line) => line.trim() !== '');
   if (extra >= 0) throw fault(file, at + 2 + height + extra, `extra row after the ${height} rows that the header declares`);
-  return plainGrid(width, height, cells);
+  const letters = rows.join('');
+  const notes: string[] = [];
+  if (/e/i.test(letters)) notes.push('terrain E (emitter) is read as free');
+  if (/[a-z]/.test(letters)) notes.push('lower-case letters are read as upper-case ones');
+  return plainGrid(width, height, cells, notes);
 }
 
 export interface ScenarioQuery {

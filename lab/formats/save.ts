@@ -30,8 +30,9 @@ export function pathCsv(map: MapDocument, path: Float64Array): string {
   return `${rows.join('\n')}\n`;
 }
 
-/** The map and a path as SVG, a unit a cell. Runs of equal cells in a row are one rectangle. */
-export function mapSvg(map: MapDocument, path: Float64Array | null, colours: { free: string; obstacle: string; unknown: string; roughMost: string; path: string }): string {
+/** The map and a path as SVG, a unit a cell; a way out, its first points, is dashed. Runs of equal cells in a row are one rectangle. */
+export function mapSvg(map: MapDocument, path: Float64Array | null, colours: { free: string; obstacle: string; unknown: string; roughMost: string; path: string },
+  wayOut = 0): string {
   const { width, height, cells, frame } = map;
   const fill = (byte: number) => (byte === 0 ? colours.obstacle : byte === 255 ? colours.unknown : byte > 1 ? colours.roughMost : '');
   const parts = [`<rect width="${width}" height="${height}" fill="${colours.free}"/>`];
@@ -44,10 +45,12 @@ export function mapSvg(map: MapDocument, path: Float64Array | null, colours: { f
       if (fill(byte) !== '') parts.push(`<rect x="${begin}" y="${y}" width="${x - begin}" height="1" fill="${fill(byte)}"/>`);
     }
   }
-  if (path && path.length > 0) {
+  const line = (part: Float64Array, dashes: string) => {
     const points: string[] = [];
-    for (let i = 0; i + 2 < path.length; i += 3) points.push(`${path[i]},${frame.yUp ? height - path[i + 1]! : path[i + 1]}`);
-    parts.push(`<polyline points="${points.join(' ')}" fill="none" stroke="${colours.path}" stroke-width="0.3" stroke-linejoin="round"/>`);
-  }
+    for (let i = 0; i + 2 < part.length; i += 3) points.push(`${part[i]},${frame.yUp ? height - part[i + 1]! : part[i + 1]}`);
+    parts.push(`<polyline points="${points.join(' ')}" fill="none" stroke="${colours.path}" stroke-width="0.3" stroke-linejoin="round"${dashes}/>`);
+  };
+  if (path && wayOut > 0) line(path.subarray(0, 3 * wayOut), ' stroke-dasharray="0.4 0.3"');
+  if (path && path.length > 0) line(path.subarray(3 * Math.max(wayOut - 1, 0)), '');
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" shape-rendering="crispEdges">${parts.join('')}</svg>\n`;
 }

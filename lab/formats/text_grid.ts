@@ -40,7 +40,7 @@ export function readTextGrid(text: string, file: string): GridFile {
 }
 
 /** A text grid, the row that is drawn first on top. Costs of 10 and more become 9. */
-export function writeTextGrid({ width, height, frame, cells }: GridFile): string {
+export function writeTextGrid({ width, height, frame, cells }: Omit<GridFile, 'notes'>): string {
   const letter = (byte: number) => (byte === 0 ? '#' : byte === unknown ? '?' : byte === 1 ? '.' : String(Math.min(byte, 9)));
   const rows = Array.from({ length: height }, (_, y) => {
     const row = frame.yUp ? height - 1 - y : y;

@@ -27,7 +27,7 @@ import { panelStyle } from './style';
 import { theme } from './theme';
 import './tools_panel';
 import './transport';
-import { number, outcomeInWords } from './words';
+import { movedInWords, number, outcomeInWords } from './words';
 
 export class App extends LitElement implements Actions {
   static override styles = [panelStyle, theme, appStyle];
@@ -153,6 +153,7 @@ export class App extends LitElement implements Actions {
     if (typeof opened === 'string') return this.notify(`${opened}.`);
     this.queries = opened.queries;
     this.take(opened.change, true);
+    this.notify(opened.notes.join(' '));
   }
 
   seek(run: number, step: number): void {
@@ -160,11 +161,15 @@ export class App extends LitElement implements Actions {
     this.clock.seek(this.searches.clockOf(run, step, this.store.state));
   }
 
-  /** Another robot. Ends where it does not fit move to where it does. */
+  /** Another robot. Ends where it does not fit move to where it does, but for those that a path may lead out of or past. */
   async shape(footprint: string): Promise<void> {
     const { state } = this.store;
     const places = await this.searches.runners[0]!.places(state, footprint, this.turns(state.runs[0]!.planner));
-    this.store.commit('error' in places ? { footprint } : { footprint, start: places.start, goal: places.goal });
+    if ('error' in places) return this.store.commit({ footprint });
+    const start = state.escape > 0 ? state.start : places.start;
+    const goal = state.closest ? state.goal : places.goal;
+    this.store.commit({ footprint, start, goal });
+    this.notify(movedInWords(state, { start, goal }));
   }
 
   /** Does a planner know headings? */

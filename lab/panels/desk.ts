@@ -14,6 +14,8 @@ import type { Saved } from './file_panel';
 export interface OpenedState {
   change: Partial<State>;
   queries: ScenarioQuery[];
+  /** On the map: a sentence each, with the file's name. */
+  notes: string[];
 }
 
 /** The state that files ask for, or why they do not. */
@@ -26,10 +28,10 @@ export async function stateOfFiles(files: File[], state: State): Promise<OpenedS
   if (!grid) {
     const { map } = state;
     if (!first || !map || first.width !== map.width || first.height !== map.height) return `${name}: open it together with its map`;
-    return { change: ends, queries };
+    return { change: ends, queries, notes: [] };
   }
   const map = documentOf(name, { ...grid.frame, width: grid.width, height: grid.height }, grid.cells);
-  return { change: { map, footprint: 'point', ...endsOf(map), ...ends }, queries };
+  return { change: { map, footprint: 'point', escape: 0, ...endsOf(map), ...ends }, queries, notes: grid.notes.map((note) => `${name}: ${note}.`) };
 }
 
 export function endsOfQuery({ start, goal }: ScenarioQuery): Partial<State> {
@@ -44,7 +46,7 @@ export async function save(what: Saved, state: State, view: MapView | undefined)
   const path = outcome?.path ?? null;
   const name = map.name.replace(/\.[a-z]+$/i, '').replace(/[^\w-]+/g, '_') || 'map';
   if (what === 'map') offer(`${name}.txt`, mapText(map));
-  if (what === 'svg') offer(`${name}.svg`, mapSvg(map, path, light));
+  if (what === 'svg') offer(`${name}.svg`, mapSvg(map, path, light, outcome?.wayOutPoints));
   if (what === 'path') {
     if (!path || path.length === 0) return 'There is no path to save.';
     offer(`${name}.csv`, pathCsv(map, path));

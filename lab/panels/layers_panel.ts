@@ -1,6 +1,6 @@
 // <lab-layers>: what the colours of the map mean.
 
-import { css, html, LitElement } from 'lit';
+import { css, html, LitElement, nothing } from 'lit';
 import type { Layer, Range } from '../engine/types';
 import type { State } from '../store/state';
 import type { Store } from '../store/store';
@@ -23,6 +23,8 @@ export class LayersPanel extends LitElement {
     li { display: flex; align-items: center; gap: 0.4rem; }
     li i { width: 0.8rem; height: 0.8rem; border-radius: 2px; }
     li i.line { height: 0.25rem; }
+    li i.out { width: 1.3rem; background: radial-gradient(circle, var(--path) 65%, transparent 70%) 0 / 0.4rem 100%; }
+    li i.gap { width: 1.3rem; height: 0.2rem; background: radial-gradient(circle, var(--goal) 65%, transparent 70%) 0 / 0.3rem 100%; }
     .ramp { display: flex; align-items: center; gap: 0.5rem; font-size: 0.8125rem; font-variant-numeric: tabular-nums; color: var(--faint); }
     .ramp i { flex: 1; height: 0.7rem; border-radius: 3px; background: var(--ramp); }
   `];
@@ -52,7 +54,9 @@ export class LayersPanel extends LitElement {
       <li><i style="background:var(--expanded)"></i>expanded</li>
       <li><i style="background:var(--frontier)"></i>frontier</li>
       <li><i style="background:var(--current)"></i>last expanded</li>
-      <li><i class="line" style="background:var(--path)"></i>path</li></ul>`;
+      <li><i class="line" style="background:var(--path)"></i>path</li>
+      ${this.state.escape > 0 ? html`<li><i class="line out"></i>way out</li>` : nothing}
+      ${this.state.closest ? html`<li><i class="line gap"></i>distance that remains</li>` : nothing}</ul>`;
   }
 
   private choose(event: Event): void {

@@ -3,11 +3,17 @@
 import { css, html, LitElement } from 'lit';
 import type { Runner } from '../engine/runner';
 import type { Choice } from '../store/state';
+import { sentence } from './planner_panel';
 import { panelStyle } from './style';
 import { duration, number } from './words';
 
 type Cell = (runner: Runner) => string;
 
+/** What most paths do not have: rows only where one has it. */
+const rarely: [string, Cell][] = [
+  ['Way out', ({ outcome }) => outcome?.wayOut?.text ?? ''],
+  ['Remaining', ({ outcome }) => (outcome?.remaining?.metres ? outcome.remaining.text : '')],
+];
 const rows: [string, Cell][] = [
   ['Cost', ({ outcome }) => (outcome?.cost === undefined ? 'none' : number(outcome.cost, 4))],
   ['Guarantee', ({ outcome }) => guarantee(outcome?.bound, outcome?.status)],
@@ -42,10 +48,10 @@ export class Results extends LitElement {
     const notes = new Set(shown.flatMap(({ outcome }) => outcome?.notes ?? []));
     return html`<table>
       <thead><tr><td></td>${this.runs.map(({ planner }) => html`<th scope="col">${planner}</th>`)}</tr></thead>
-      <tbody>${rows.map(([name, cell]) => html`
+      <tbody>${[...rows, ...rarely.filter(([, cell]) => shown.some((runner) => cell(runner) !== ''))].map(([name, cell]) => html`
         <tr><th scope="row">${name}</th>${shown.map((runner) => html`<td>${cell(runner)}</td>`)}</tr>`)}
       </tbody></table>
-      ${[...notes].map((note) => html`<p>${note}.</p>`)}`;
+      ${[...notes].map((note) => html`<p>${sentence(note)}</p>`)}`;
   }
 }
 

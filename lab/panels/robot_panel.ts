@@ -1,4 +1,5 @@
-// <lab-robot>: the shape of the robot, the headings of start and goal, and smoothing.
+// <lab-robot>: the shape of the robot, the headings of start and goal, what a path does where the robot cannot be, and
+// smoothing.
 
 import { html, LitElement, nothing } from 'lit';
 import type { Failure, Registry, Widest } from '../engine/types';
@@ -50,6 +51,12 @@ export class RobotPanel extends LitElement {
         <label class="check"><input type="checkbox" .checked=${this.state.headings}
           @change=${(event: Event) => this.store.commit({ headings: (event.target as HTMLInputElement).checked })}>
           The goal's heading counts</label>` : nothing}
+      <label>Longest way out of a blocked start, in ${unit}
+        <input type="number" min="0" step="any" .value=${String(this.state.escape)}
+          @change=${(event: Event) => this.store.commit({ escape: Math.min(Math.max(Number(valueOf(event)) || 0, 0), 1e9) })}></label>
+      <label class="check"><input type="checkbox" .checked=${this.state.closest}
+        @change=${(event: Event) => this.store.commit({ closest: (event.target as HTMLInputElement).checked })}>
+        End at the closest place if no path reaches the goal</label>
       <label>Smooth the path
         <select @change=${(event: Event) => this.store.commit({ smoother: valueOf(event) })}>
           <option value="" ?selected=${smoother === ''}>No</option>

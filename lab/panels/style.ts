@@ -20,7 +20,7 @@ export const panelStyle = css`
   button:disabled { opacity: 0.45; cursor: default; }
   :focus-visible { outline: 2px solid var(--accent); outline-offset: 1px; }
   input[type=range] { width: 100%; accent-color: var(--accent); margin: 0; }
-  input[type=checkbox] { accent-color: var(--accent); width: 1rem; height: 1rem; margin: 0; }
+  input[type=checkbox] { accent-color: var(--accent); flex: none; width: 1rem; height: 1rem; margin: 0; }
   label.check { display: flex; align-items: center; gap: 0.5rem; color: var(--ink); font-size: 0.875rem; }
   p { margin: 0; font-size: 0.8125rem; line-height: 1.5; color: var(--faint); }
   a { color: var(--accent); }

@@ -1,6 +1,7 @@
 // Outcomes and cells in words.
 
-import { obstacle, unknown, type CellInfo, type Failure, type Outcome } from '../engine/types';
+import { obstacle, unknown, type CellInfo, type Failure, type Outcome, type Places } from '../engine/types';
+import type { State } from '../store/state';
 import type { Point } from '../view/camera';
 import { sentence } from './planner_panel';
 
@@ -21,7 +22,19 @@ export function outcomeInWords(planner: string, outcome: Outcome | null, failure
   if (!outcome) return `${planner} is searching.`;
   const work = `${number(outcome.expanded)} expanded`;
   if (outcome.status !== 'found') return `${planner}: ${sentence(outcome.message ?? outcome.status)} ${sentence(work)}`;
-  return `${planner}: found a path of cost ${number(outcome.cost!, 4)}, ${work}.`;
+  const found = `${planner}: found a path of cost ${number(outcome.cost!, 4)}, ${work}.`;
+  return [found, ...(outcome.notes ?? []).map((note) => sentence(note))].join(' ');
+}
+
+/** By how much the ends of a state are moved; empty if they are not. */
+export function movedInWords({ map, start, goal }: State, moved: Places): string {
+  const { metric, resolution } = map!.frame;
+  const parts = ([['start', start, moved.start], ['goal', goal, moved.goal]] as const).flatMap(([name, from, to]) => {
+    const cells = Math.hypot(to.x - from.x, to.y - from.y);
+    if (cells < 1e-9) return [];
+    return [`the ${name} is moved by ${metric ? `${number(cells * resolution)} m` : `${number(cells)} ${cells === 1 ? 'cell' : 'cells'}`}`];
+  });
+  return parts.length === 0 ? '' : `The robot does not fit there: ${parts.join(' and ')}.`;
 }
 
 function groundInWords(info: CellInfo): string {

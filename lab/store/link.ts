@@ -33,6 +33,8 @@ export interface Linked {
   footprint: string;
   smoother: string;
   headings: boolean;
+  escape: number;
+  closest: boolean;
   layer: Layer;
   arrows: boolean;
   pace: Pace;
@@ -49,11 +51,11 @@ export const layers: readonly Layer[] = ['', 'expansion', 'g', 'h', 'f', 'cost',
 export function linkOf(state: State, step: number): string | null {
   const map = state.map;
   if (!map) return null;
-  const { start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint } = state;
+  const { start, goal, runs, footprint, smoother, headings, escape, closest, layer, arrows, pace, exercise, following, widest, breakPoint } = state;
   const bytes = bytesOf(map);
   const head = strToU8(JSON.stringify({
     v: 1, name: map.name, width: map.width, height: map.height, frame: map.frame, recipe: map.recipe,
-    start, goal, runs, footprint, smoother, headings, layer, arrows, pace, exercise, following, widest, breakPoint, step,
+    start, goal, runs, footprint, smoother, headings, escape, closest, layer, arrows, pace, exercise, following, widest, breakPoint, step,
   }));
   const all = new Uint8Array(4 + head.length + bytes.length);
   new DataView(all.buffer).setUint32(0, head.length);
@@ -101,7 +103,7 @@ function read(text: string, registry: Registry): Linked {
     ...(recipe ? { recipe } : {}), ...(bytes.length > 0 ? { cells: bytes } : {}),
     start: placeIn(fields['start']), goal: placeIn(fields['goal']), runs,
     footprint: textIn(fields['footprint']), smoother: textIn(fields['smoother']),
-    headings: fields['headings'] === true, layer: oneOf(layers, fields['layer']),
+    headings: fields['headings'] === true, escape: escapeIn(fields['escape']), closest: fields['closest'] === true, layer: oneOf(layers, fields['layer']),
     arrows: fields['arrows'] === true, pace: oneOf(['expansions', 'time'] as const, fields['pace']),
     following: followingIn(fields['following']), widest: fields['widest'] === true,
     breakPoint: fields['breakPoint'] === undefined || fields['breakPoint'] === null ? null : cellIn(fields['breakPoint']),
@@ -171,6 +173,12 @@ function followingIn(value: unknown): Following {
   if (value === undefined) return notFollowing;
   const { controller, robot, simulation } = objectIn(value);
   return { controller: textIn(controller), robot: textIn(robot), simulation: textIn(simulation) };
+}
+/** Links from before there were ways out have none. */
+function escapeIn(value: unknown): number {
+  const length = value === undefined ? 0 : numberIn(value);
+  if (length < 0) throw new Error('its way out is shorter than 0');
+  return length;
 }
 function frameIn(value: unknown): Frame {
   const fields = objectIn(value);

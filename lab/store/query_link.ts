@@ -7,7 +7,7 @@ import { centreOf, exercises, notFollowing, type Choice, type Exercise, type Pla
 
 /** The names that such a link may have. */
 export const queryNames = [
-  'map', 'size', 'seed', 'wall', 'start', 'goal', 'planner', 'robot', 'layer', 'pace', 'exercise', 'step',
+  'map', 'size', 'seed', 'wall', 'start', 'goal', 'planner', 'robot', 'escape', 'closest', 'layer', 'pace', 'exercise', 'step',
 ] as const;
 
 export const isQueryLink = (text: string): boolean => /^[a-z]+=/.test(text);
@@ -36,6 +36,7 @@ export function readQueryLink(text: string, registry: Registry): Linked {
     ...(start ? { start } : {}), ...(goal ? { goal } : {}),
     runs: (planners.length > 0 ? planners : usual).map((spec) => choiceIn(spec, registry)),
     footprint: fields.get('robot') ?? 'point', smoother: '', headings: false, arrows: false,
+    escape: lengthIn('escape', fields.get('escape') ?? '0'), closest: flagIn('closest', fields.get('closest')),
     layer: oneOf<Layer>('layer', layers, fields.get('layer') ?? ''),
     pace: oneOf('pace', ['expansions', 'time'] as const, fields.get('pace') ?? 'expansions'),
     exercise, following: notFollowing, widest: false, breakPoint: null,
@@ -109,6 +110,18 @@ function wholeIn(name: string, text: string, least: number, most: number): numbe
   const number = /^\d{1,10}$/.test(text) ? Number(text) : NaN;
   if (!(number >= least && number <= most)) throw new Error(`its ${name} is not a number from ${least} to ${most}`);
   return number;
+}
+
+function lengthIn(name: string, text: string): number {
+  const length = /^\d{1,9}(\.\d{1,9})?$/.test(text) ? Number(text) : NaN;
+  if (Number.isNaN(length)) throw new Error(`its ${name} is not a number of at least 0`);
+  return length;
+}
+
+/** An attribute of an element may stand alone. */
+function flagIn(name: string, text: string | null): boolean {
+  if (text !== null && !['', 'true', 'false'].includes(text)) throw new Error(`its ${name} is neither true nor false`);
+  return text !== null && text !== 'false';
 }
 
 function oneOf<Value extends string>(name: string, values: readonly Value[], value: string): Value {

@@ -64,6 +64,10 @@ export interface State {
   smoother: string;
   /** Does the heading of the goal count? */
   headings: boolean;
+  /** The longest way out of a blocked start, in units of the footprint; 0: none. */
+  escape: number;
+  /** Does a path end at the closest place if none reaches the goal? */
+  closest: boolean;
   layer: Layer;
   arrows: boolean;
   tool: Tool;
@@ -88,6 +92,8 @@ export const initialState: State = {
   footprint: 'point',
   smoother: '',
   headings: false,
+  escape: 0,
+  closest: false,
   layer: '',
   arrows: false,
   tool: 'wall',

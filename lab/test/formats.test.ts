@@ -1,10 +1,11 @@
 // Map files read as the command line reads them; damaged ones are refused with their name, and never crash.
 
 import { File as NodeFile } from 'node:buffer';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
+import { deflateSync } from 'node:zlib';
 import { describe, expect, test } from 'vitest';
 import { openFiles } from '../formats/files';
 import { byteOf, luma, readPnm, usualMeaning } from '../formats/image';
@@ -75,6 +76,48 @@ function spawnFails(file: string): boolean {
   }
 }
 
+/** A PNG of 16 bits a sample, whose rows have random filters. */
+function deepPng(width: number, height: number, colour: number, channels: number, sample: () => number, below: (most: number) => number): Buffer {
+  const row = 2 * channels * width;
+  const pixel = 2 * channels;
+  const plain = Buffer.alloc(row * height);
+  for (let i = 0; i < plain.length; i += 2) plain.writeUInt16BE(sample(), i);
+  const rows = Buffer.alloc((row + 1) * height);
+  for (let y = 0; y < height; ++y) {
+    const filter = below(5);
+    rows[y * (row + 1)] = filter;
+    for (let i = 0; i < row; ++i) {
+      const left = i < pixel ? 0 : plain[y * row + i - pixel]!;
+      const above = y === 0 ? 0 : plain[(y - 1) * row + i]!;
+      const corner = i < pixel || y === 0 ? 0 : plain[(y - 1) * row + i - pixel]!;
+      const nearest = [left, above, corner].sort((a, b) => Math.abs(left + above - corner - a) - Math.abs(left + above - corner - b))[0]!;
+      rows[y * (row + 1) + 1 + i] = plain[y * row + i]! - [0, left, above, (left + above) >> 1, nearest][filter]!;
+    }
+  }
+  const chunk = (kind: string, data: Buffer) => {
+    const named = Buffer.concat([Buffer.from(kind, 'latin1'), data]);
+    const ends = Buffer.alloc(8);
+    ends.writeUInt32BE(data.length, 0);
+    ends.writeUInt32BE(crc32(named), 4);
+    return Buffer.concat([ends.subarray(0, 4), named, ends.subarray(4)]);
+  };
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(width, 0);
+  header.writeUInt32BE(height, 4);
+  header.set([16, colour], 8);
+  return Buffer.concat([Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]), chunk('IHDR', header), chunk('IDAT', deflateSync(rows)), chunk('IEND', Buffer.alloc(0))]);
+}
+
+/** The check of a chunk; Node.js 18 has none. */
+function crc32(bytes: Buffer): number {
+  let crc = 0xffffffff;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let bit = 0; bit < 8; ++bit) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0);
+  }
+  return ~crc >>> 0;
+}
+
 describe('readers', () => {
   const text = 'type octile\nheight 2\nwidth 3\nmap\n..@\n.GT\n';
 
@@ -121,6 +164,71 @@ describe('readers', () => {
       writeFileSync(file, Buffer.concat([header, kind === 'P6' ? Buffer.from(samples) : Buffer.from(samples.join('\n'))]));
       const { grid } = await opened(file);
       expect(writeTextGrid(grid!)).toBe(converted(file));
+    }
+  });
+
+  /** The notes on a file that the command line prints. */
+  const printed = (file: string): string[] => {
+    const { stderr } = spawnSync(program, ['convert', file, join(folder, 'converted.txt')], { encoding: 'utf8' });
+    return stderr.split('\n').filter((line) => line.startsWith(`wend: ${file}: `)).map((line) => line.slice(`wend: ${file}: `.length));
+  };
+  const yamlOf = (name: string, more: string) => {
+    const file = join(folder, `${name}.yaml`);
+    writeFileSync(file, `image: ${name}.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n`
+      .split('\n').filter((line) => line === '' || !more.includes(`${line.split(':')[0]}:`)).join('\n') + more);
+    return file;
+  };
+
+  test('notes on maps that are probably not meant are those of the command line', async () => {
+    const cases: [string, string, RegExp][] = [
+      ['free_thresh: 0.25\n', 'P2 3 1 255 0 205 254\n', /grey 205.*counts as free here \(1 cell\)/],
+      ['occupied_thresh: 0.19\nfree_thresh: 0.1\n', 'P2 3 1 255 0 205 205\n', /counts as occupied here \(2 cells\)/],
+      ['negate: 1\n', 'P2 3 1 255 0 205 254\n', /with negate: 1/],
+      ['origin: [0, 0, 90]\n', 'P2 3 1 255 0 205 254\n', /90 degrees are 1.5708 radians/],
+      ['origin: [0, 0, 270]\n', 'P2 3 1 255 0 205 254\n', /270 degrees are -1.5708 radians/],
+      ['resolution: 50\n', 'P2 3 1 255 0 205 254\n', /metres a cell: 50 is unusual/],
+      ['', 'P2 3 1 65535 0 205 254\n', /the brightest pixel is 254 where white is 65535/],
+      ['free_thresh: 0\n', 'P2 2 1 255 0 254\n', /no cell is free/],
+      ['', 'P2 2 1 255 200 254\n', /no cell is occupied/],
+      ['free_thresh: 0\nnegate: 1\n', 'P2 2 1 255 100 254\n', /negate: 1 makes white occupied/],
+      ['author: me\n', 'P2 3 1 255 0 205 254\n', /unknown key 'author'/],
+      ['', 'P5 3 1 255 \0ab and more', /9 bytes after the last pixel/],
+      ['', 'P2 3 1 255 0 205 254\n', /^$/],
+      ['mode: scale\nfree_thresh: 0.25\n', 'P2 3 1 255 0 205 254\n', /^$/],
+    ];
+    for (const [i, [yaml, image, note]] of cases.entries()) {
+      const file = yamlOf(`doubt${i}`, yaml);
+      writeFileSync(file.replace('.yaml', '.pgm'), image);
+      const { grid } = await opened(file, file.replace('.yaml', '.pgm'));
+      expect(grid!.notes.join(' '), yaml).toMatch(note);
+      expect(grid!.notes, yaml).toEqual(printed(file));
+    }
+    const letters = join(folder, 'letters.map');
+    writeFileSync(letters, 'type octile\nheight 1\nwidth 4\nmap\n.e@T\n');
+    expect((await opened(letters)).grid!.notes).toEqual(printed(letters));
+    expect((await opened(letters)).grid!.notes.length).toBe(2);
+  });
+
+  test('images of 16 bits are read as by the command line', async () => {
+    const random = randomFrom(12);
+    const below = (most: number) => Math.floor(random() * most);
+    for (const [colour, channels] of [[0, 1], [2, 3], [4, 2], [6, 4]] as const) {
+      for (const most of [65536, 255]) {
+        const [width, height] = [7 + below(9), 5 + below(9)];
+        const file = join(folder, `deep${colour}-${most}.png`);
+        writeFileSync(file, deepPng(width, height, colour, channels, () => (random() < 0.2 ? 65535 : below(most)), below));
+        const { grid } = await opened(file);
+        expect(writeTextGrid(grid!), file).toBe(converted(file));
+        expect(grid!.notes, file).toEqual(printed(file));
+      }
+    }
+    const file = join(folder, 'dark.png');
+    writeFileSync(file, deepPng(4, 4, 0, 1, () => below(256), below));
+    expect((await opened(file)).grid!.notes.join()).toMatch(/where white is 65535/);
+    for (let cut = 0; cut < 200; cut += 7) {
+      const damaged = readFileSync(file).subarray(0, cut);
+      const found = await openFiles([new NodeFile([damaged], 'cut.png') as unknown as File]).catch((reason: Error) => reason.message);
+      expect(typeof found === 'string' || cut > 60, `${cut}`).toBe(true);
     }
   });
 

@@ -239,8 +239,12 @@ export class MapView extends LitElement implements Ground {
   private drawLines(context: CanvasRenderingContext2D, camera: Camera, step: number): void {
     const { state } = this.store;
     const { outcome } = this.runner;
+    const path = outcome ? pathAt(outcome, step) : null;
+    // The paths that an anytime planner finds before have neither.
+    const answer = outcome && path === outcome.path ? outcome : null;
     drawOverlay(context, {
-      state, map: state.map!, camera, size: this.size, colours: this.colours, path: outcome ? pathAt(outcome, step) : null,
+      state, map: state.map!, camera, size: this.size, colours: this.colours, path,
+      wayOut: answer?.wayOutPoints ?? 0, fallsShort: (answer?.remaining?.metres ?? 0) > 0,
       chain: this.info?.chain ?? null, parents: state.arrows ? this.parents : null,
       cursor: this.cursor, keyboard: this.keyboard, headings: this.headings, extras: this.extras,
     });

@@ -14,6 +14,10 @@ export interface Overlay {
   size: { width: number; height: number };
   colours: Colours;
   path: Float64Array | null;
+  /** The points of the path that lead out of what blocks the start, with the first free one; 0: none. */
+  wayOut: number;
+  /** Does the path end at another place because none reaches the goal? */
+  fallsShort: boolean;
   chain: Float64Array | null;
   /** The parents of cells, for arrows. */
   parents: Uint32Array | null;
@@ -35,7 +39,9 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay)
   if (overlay.path) {
     const width = Math.max(2, Math.min(camera.zoom / 4, 6));
     drawLine(context, overlay, overlay.path, colours.halo, width + 3, []);
-    drawLine(context, overlay, overlay.path, colours.path, width, []);
+    drawLine(context, overlay, overlay.path.subarray(3 * Math.max(overlay.wayOut - 1, 0)), colours.path, width, []);
+    if (overlay.wayOut > 0) drawLine(context, overlay, overlay.path.subarray(0, 3 * overlay.wayOut), colours.path, width, [width * 0.4, width * 1.8]);
+    if (overlay.fallsShort) drawGap(context, overlay, overlay.path.subarray(-3), width);
   }
   drawFootprint(context, camera, map, state.start, state.footprint, colours.start);
   drawFootprint(context, camera, map, state.goal, state.footprint, colours.goal);
@@ -71,6 +77,14 @@ function drawLine(
   }
   context.stroke();
   context.setLineDash([]);
+}
+
+/** From the path's end to the goal that no path reaches. */
+function drawGap(context: CanvasRenderingContext2D, overlay: Overlay, end: Float64Array, width: number): void {
+  const { x, y, heading } = overlay.state.goal;
+  const gap = Float64Array.of(...end, x, y, heading);
+  drawLine(context, overlay, gap, overlay.colours.halo, width + 1, []);
+  drawLine(context, overlay, gap, overlay.colours.goal, width / 2, [1, width * 1.2]);
 }
 
 /** Start is a disc and goal a square: shapes differ, not only colours. */

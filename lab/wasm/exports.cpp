@@ -46,13 +46,16 @@ void lab_robot(std::size_t text, double distance, double cost, bool unknown_free
 WEND_LAB_EXPORT(plan)
 void lab_plan(std::size_t planner, std::size_t smoother, double start_x, double start_y,
               double start_heading, double goal_x, double goal_y, double goal_heading,
-              bool headings, bool record, bool nearest, double expansions, double seconds) {
+              bool headings, bool record, bool nearest, bool closest, double escape,
+              double expansions, double seconds) {
   const std::string names(input_text(0, planner + smoother));
   output() = lab().plan({.start = {start_x, start_y, start_heading},
                          .goal = {goal_x, goal_y, goal_heading},
                          .headings = headings,
                          .record = record,
                          .nearest = nearest,
+                         .closest = closest,
+                         .escape = escape,
                          .expansions = expansions,
                          .seconds = seconds,
                          .planner = std::string_view(names).substr(0, planner),

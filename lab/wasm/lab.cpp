@@ -7,16 +7,16 @@
 
 #include "lab/wasm/answers.hpp"
 #include "lab/wasm/cells.hpp"
+#include "lab/wasm/drawn_points.hpp"
 #include "lab/wasm/json.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/geometry/arc.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/path/smoother.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::lab {
 namespace {
 
-constexpr double kTurnOfALine = 0.1;  // radians
 constexpr std::size_t kMostCellsOfIndex = 40'000;
 
 /// One entry of a list: "astar:weight=2".
@@ -143,6 +143,7 @@ void Lab::forget_search() {
   points_.clear();
   solutions_.clear();
   path_.reset();
+  escape_ = 0;
   values_ = {};
   value_of_cell_.clear();
 }
@@ -159,6 +160,8 @@ std::string Lab::plan(const Task& task) {
   request.planner = task.record ? without_leaps(*std::move(spec)) : *std::move(spec);
   request.nearest = task.nearest;
   request.nearest_limit = std::numeric_limits<double>::infinity();  // the page shows where to
+  request.closest = task.closest;
+  request.escape = task.escape;
   if (task.expansions > 0) request.limits.expansions = static_cast<std::uint64_t>(task.expansions);
   if (task.seconds > 0) request.limits.seconds = task.seconds;
   if (!task.smoother.empty()) {
@@ -181,9 +184,14 @@ std::string Lab::plan(const Task& task) {
   if (!answer) return failure_text(answer.error(), replay_.steps());
   if (answer->moves) moves_ = *answer->moves;
   path_ = answer->path();
-  put(*path_);
+  points_ = drawn_points(*path_);
   put_solutions();
-  return plan_text(*answer, replay_.steps(), solutions_);
+  std::size_t lead_points = 0;
+  if (answer->lead_out) {
+    escape_ = task.escape;
+    lead_points = drawn_points(lead_of(*path_, answer->lead_out->points)).size() / kNumbersOfPoint;
+  }
+  return plan_text(*answer, replay_.steps(), solutions_, lead_points);
 }
 
 Expected<PlanAnswer, RequestFailure> Lab::answer_to(const PlanRequest& request) {
@@ -206,27 +214,11 @@ Expected<PlanAnswer, RequestFailure> Lab::answer_to(const PlanRequest& request) 
   return session_.plan(request);
 }
 
-void Lab::put(const Path& path) {
-  const auto append = [&](const Pose& pose) {
-    points_.insert(points_.end(), {pose.x, pose.y, pose.heading});
-  };
-  const std::vector<Pose> poses = path.poses();
-  const std::vector<Arc> arcs = path.arcs();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    append(poses[i]);
-    if (i >= arcs.size()) continue;
-    // The page draws lines: an arc becomes some.
-    const Arc& arc = arcs[i];
-    const int lines = static_cast<int>(std::ceil(std::abs(arc.turn()) / kTurnOfALine));
-    for (int line = 1; line < lines; ++line) append(pose_on(arc, arc.length * line / lines));
-  }
-}
-
 void Lab::put_solutions() {
   for (Solution& solution : solutions_) {
-    const std::size_t before = points_.size();
-    put(solution.path);
-    solution.points = (points_.size() - before) / 3;
+    const std::vector<double> its_points = drawn_points(solution.path);
+    points_.insert(points_.end(), its_points.begin(), its_points.end());
+    solution.points = its_points.size() / kNumbersOfPoint;
   }
 }
 

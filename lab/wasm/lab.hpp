@@ -32,6 +32,8 @@ struct Task {
   bool headings;              // of the goal count
   bool record;                // for a replay
   bool nearest;               // moves blocked ends
+  bool closest;               // ends at the closest place if no path reaches the goal
+  double escape;              // m: the longest way out of a blocked start; 0: none
   double expansions;          // the most; 0: no limit
   double seconds;             // the most; 0: no limit
   std::string_view planner;   // "astar:weight=2"
@@ -88,13 +90,12 @@ class Lab {
   void find_fits(const SpaceChange& change);
   /// Plans; builds the index that the planner needs, if it has none of this map.
   Expected<PlanAnswer, RequestFailure> answer_to(const PlanRequest& request);
-  void put(const Path& path);
   void put_solutions();
   void show_search(std::string_view layer);
   std::optional<std::string> show_field(std::string_view layer);
   void find_range();
 
-  Session session_;
+  Session session_{{.hints = {.escape = "a longest way out of"}}};
   std::vector<std::uint8_t> cells_;
   std::vector<std::uint8_t> fits_;
   int width_ = 0;
@@ -107,6 +108,7 @@ class Lab {
   std::vector<double> points_;
   std::vector<Solution> solutions_;  // of the last search, as they were found
   std::optional<Path> path_;         // the last one
+  double escape_ = 0;                // m: how long its way out may be
   std::string layer_ = "order";
   Values values_;
   std::vector<float> value_of_cell_;

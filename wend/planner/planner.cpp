@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "wend/base/parse.hpp"
+#include "wend/map/place_text.hpp"
 #include "wend/planner/goal_region.hpp"
 
 namespace wend {
@@ -13,11 +13,6 @@ namespace {
 
 bool has_tolerances(const Goal& goal) {
   return goal.tolerance >= 0 && goal.heading_tolerance >= 0;  // neither is NaN
-}
-
-/// "2 cells"
-std::string cells_text(double cells) {
-  return format_number(cells) + (cells == 1 ? " cell" : " cells");
 }
 
 }  // namespace
@@ -85,7 +80,9 @@ std::string Planner::reason(const Query& query, Status status) const {
   std::string reason = do_reason(query, status);
   if (reason.empty()) reason = describe(status);
   if (query.goals.empty()) return reason;
-  return reason + beyond_tolerance(query, status, cells_text(query.goals.front().tolerance));
+  const double tolerance = query.goals.front().tolerance;
+  return reason +
+         beyond_tolerance(query, status, distance_text(tolerance, free_space().map().frame()));
 }
 
 std::optional<Pose> Planner::do_place_of(const Pose& pose) const {

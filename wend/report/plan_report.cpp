@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <iterator>
 
-#include "wend/geometry/angle.hpp"
-#include "wend/geometry/compass.hpp"
 #include "wend/report/json.hpp"
 #include "wend/robot/repeated_moves.hpp"
 
@@ -60,22 +57,6 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
         layer.numbers.empty() ? json_of(layer.arrows, frame) : json_of(layer.numbers);
   }
   return text_of(json);
-}
-
-std::string heading_text(double radians, const Frame& frame) {
-  if (const auto heading = exact_heading(radians)) return std::string(letter_of(*heading, frame));
-  const double in_map = frame.to_metres(Pose{0, 0, radians}).heading;
-  const double degrees = std::round(degrees_from(in_map) * 1e6) / 1e6 + 0.0;  // not 1e-14
-  return fmt::format("{:.4g}deg", degrees);
-}
-
-std::string pose_text(const Pose& pose, const Frame& frame) {
-  const auto shown = [](double value) { return std::round(value * 1e3) / 1e3 + 0.0; };
-  if (frame.metric) {
-    const MapPose at = frame.to_metres(pose);
-    return fmt::format("({},{},{}) m", shown(at.x), shown(at.y), heading_text(pose.heading, frame));
-  }
-  return fmt::format("({},{},{})", shown(pose.x), shown(pose.y), heading_text(pose.heading, frame));
 }
 
 std::string drive_commands(const Plan& plan, const Frame& frame) {

@@ -73,6 +73,7 @@
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/place_grid.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/map/place_text.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
@@ -129,12 +130,6 @@ struct PlanResult {
 /// One line with its line end.
 std::string plan_json(const PlanResult& result, const Frame& frame,
                       std::span<const Layer> layers = {});
-
-/// "S", or "26.57deg" in the map's frame for a heading between the four.
-std::string heading_text(double radians, const Frame& frame);
-
-/// "(2,1,S)", in grid coordinates, or "(0.1,0.05,S) m" on a map in metres.
-std::string pose_text(const Pose& pose, const Frame& frame);
 
 /// The command list of a car's plan, with poses as pose_text() writes them; empty without a path. Each line has its
 /// line end.

@@ -76,6 +76,7 @@ class ClosestPose {
       const double middle = (low + *found_) / 2;
       if (!try_within(middle)) low = middle;
     }
+    settle(low, precision);
     return places();
   }
 
@@ -98,7 +99,21 @@ class ClosestPose {
     const double reached = distance_to_goals(plan_.path.poses().back().point(), asked_);
     found_ = std::min(found_.value_or(kAnywhere), reached);
     tolerance_ = tolerance == 0 ? 0 : std::min(tolerance, reached);
+    tried_ = tolerance;
     return true;
+  }
+
+  /// A planner looks for places within a tolerance, and may find none within one that just reaches the end of a path.
+  /// Then the tolerance is one with which there was a path.
+  void settle(double low, double precision) {
+    if (!found_ || tolerance_ == 0 || tolerance_ == tried_) return;
+    if (try_within(tolerance_ + kClosestRounding)) return;
+    low = std::max(low, tolerance_);
+    while (tried_ - low > precision) {
+      const double middle = (low + tried_) / 2;
+      if (!try_within(middle)) low = middle;
+    }
+    tolerance_ = tried_;
   }
 
   std::optional<ClosestPlaces> places() const {
@@ -137,6 +152,7 @@ class ClosestPose {
   Plan plan_;
   std::optional<double> found_;
   double tolerance_ = 0;
+  double tried_ = 0;  // the last tolerance with which there was a path
 };
 
 }  // namespace

@@ -118,6 +118,18 @@ void EasedQuery::move_ends() {
   notes_.insert(notes_.end(), notes.begin(), notes.end());
 }
 
+bool EasedQuery::may_ease_goals() const {
+  if (!(leeway_.closest || leeway_.nearest) || goals_eased_) return false;
+  const auto moves = planner_.grid_moves();
+  const FreeSpace& space = planner_.free_space();
+  const auto start = cell_under(space, query_.start.point());
+  if (!moves || !start || !space.passable(*start)) return true;
+  return std::ranges::none_of(query_.goals, [&](const Goal& goal) {
+    const auto cell = cell_under(space, goal.point);
+    return cell && space.components().connected(*start, *cell, moves->adjacency());
+  });
+}
+
 bool EasedQuery::ease_goals(Status status) {
   const bool wanted = leeway_.closest || leeway_.nearest;
   if (!wanted || goals_eased_ || (status == Status::goal_outside && !leeway_.closest)) return false;

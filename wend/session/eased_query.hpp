@@ -39,6 +39,8 @@ class WEND_API EasedQuery {
   /// Was the start moved? A start that is led out was not.
   bool start_moved() const { return start_moved_; }
 
+  /// May ease_goals() replace the goals after a search? False if it is known before that a path reaches one. O(goals).
+  bool may_ease_goals() const;
   /// After a plan failed: puts the closest places in the place of the goals. True if there are some: then plan again.
   bool ease_goals(Status status);
 

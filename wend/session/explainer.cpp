@@ -174,9 +174,10 @@ std::string Explainer::too_far(double away) const {
          in_brackets(hints_.nearest_limit, hint_of_length(away));
 }
 
-/// Reasons of planners of poses are in cells. If these are not what was asked, that comes first.
+/// Reasons of planners of poses name their places, in the units of the map. If these are not what was asked, that
+/// comes first.
 std::string Explainer::as_asked(const Ends& ends, const PlaceGrid& places) const {
-  if (!units_.metric() && places.spacing == 1) return {};
+  if (units_.metric() == units_.frame().metric && places.spacing == 1) return {};
   std::vector<std::string> goals;
   goals.reserve(ends.goals.size());
   for (const Place& goal : ends.goals) goals.push_back(goal.text);

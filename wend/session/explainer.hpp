@@ -102,7 +102,7 @@ class WEND_API Explainer {
   /// nothing that was tried does.
   std::vector<std::string> changes(const NoDrive& why) const;
 
-  /// Why there is no drive, and what would open one, in one or more sentences. The reason is in cells.
+  /// Why there is no drive, and what would open one, in one or more sentences.
   std::string explain(const NoDrive& why) const;
 
   /// How wide a path is and where it is narrowest: "with a radius of up to 0.3 m, narrowest at ...".

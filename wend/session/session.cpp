@@ -28,6 +28,12 @@ bool steps_from_cell_to_cell(const PlannerSpec& spec) {
   return info != nullptr && !info->capabilities.any_angle;
 }
 
+Query unwatched(Query query) {
+  query.observer = nullptr;
+  query.on_solution = {};
+  return query;
+}
+
 std::optional<Error> fault_of(const PlanRequest& request, bool steps) {
   if (!(request.keep >= 0)) {
     return Error{Status::invalid_option, "keep must be at least 0", "keep"};
@@ -300,15 +306,18 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
   PlanAnswer answer{.space = view.space, .plan = {}, .moves = moves};
   EasedQuery eased(std::move(query), planner, explainer, units, leeway);
   const double begin = now();
-  const auto search = [&] {
+  const auto search = [&](bool watched) {
     eased.query().limits = deadline.left();
-    const Query& eased_query = eased.query();
-    return request.from_field ? look_up(view, eased_query, ends_of(eased_query, units).start.cell,
-                                        *moves, answer.plan)
-                              : planner.plan(eased_query, answer.plan);
+    const Query& query_now = eased.query();
+    if (request.from_field) {
+      return look_up(view, query_now, ends_of(query_now, units).start.cell, *moves, answer.plan);
+    }
+    return planner.plan(watched ? query_now : unwatched(query_now), answer.plan);
   };
-  Status status = search();
-  if (eased.ease_goals(status)) status = search();
+  // An observer sees the search that answers, not one whose goals are replaced after it.
+  const bool twice = request.observer != nullptr && eased.may_ease_goals();
+  Status status = search(!twice);
+  if (eased.ease_goals(status) || (twice && !is_limit(status))) status = search(true);
   answer.search_seconds = now() - begin;
   eased.query().limits = request.limits;  // as messages name them
   Errand errand;

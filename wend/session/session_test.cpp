@@ -210,6 +210,71 @@ TEST(Session, TakesEndsForCellsWhereAMapHasNoMetres) {
   EXPECT_EQ(answer->goal_shift(), 2);
 }
 
+class Expansions final : public SearchObserver {
+ public:
+  void on_generate(const SearchEvent& /*event*/) override {}
+  void on_expand(const SearchEvent& /*event*/) override { ++count; }
+  void on_relax(const SearchEvent& /*event*/) override {}
+
+  std::uint64_t count = 0;
+};
+
+/// Whether the goal is reached, replaced by the closest place, or there is no path.
+TEST(Session, ShowsAnObserverTheSearchThatAnswersOnly) {
+  for (const std::string name :
+       {"astar", "dijkstra", "theta_star", "car", "lattice", "hybrid_astar"}) {
+    for (const bool walled_in : {false, true}) {
+      for (const bool closest : {false, true}) {
+        SCOPED_TRACE(name + (walled_in ? ", walled in" : "") + (closest ? ", closest" : ""));
+        Session session(test::drawn_map(walled_in ? "............\n"
+                                                    "............\n"
+                                                    ".......#####\n"
+                                                    ".......#...#\n"
+                                                    ".......#...#\n"
+                                                    ".......#####\n"
+                                                  : "............\n"
+                                                    "............\n"
+                                                    "............\n"
+                                                    "............\n"
+                                                    "............\n"
+                                                    "............\n"));
+        Expansions expansions;
+        PlanRequest request{{2, 3, 0}, {{{9, 4}}}, {name}};
+        if (name == "hybrid_astar") request.planner.options = {{"turning_radius", "1"}};
+        request.closest = closest;
+        request.observer = &expansions;
+        const auto answer = session.plan(request);
+        ASSERT_EQ(answer.has_value(), !walled_in || closest);
+        const SearchMetrics& metrics = answer ? answer->plan.metrics : answer.error().metrics;
+        EXPECT_EQ(expansions.count, metrics.expanded);
+        EXPECT_EQ(answer.has_value() && answer->remaining.value_or(0) > 0, walled_in && closest);
+      }
+    }
+  }
+}
+
+/// hybrid_astar looks for places in the middles of cells; the closest one is where the way out ends.
+TEST(Session, StaysWhereAWayOutEndsIfNoPlaceIsCloser) {
+  Session session(test::drawn_map("....................\n"
+                                  "....................\n"
+                                  "....................\n"
+                                  "............######..\n"
+                                  "............#....#..\n"
+                                  "............#....#..\n"
+                                  "............######..\n"
+                                  "....................\n"
+                                  "....................\n"),
+                  {.footprint = Footprint::disc(0.8)});
+  PlanRequest request{{14.5, 2.5, 0}, {{{14.5, 4.5}}}, {"hybrid_astar"}};
+  request.escape = 4;
+  request.closest = true;
+  const auto answer = session.plan(request);
+  ASSERT_TRUE(answer) << answer.error().message;
+  ASSERT_TRUE(answer->lead_out);
+  ASSERT_TRUE(answer->remaining);
+  EXPECT_LT(*answer->remaining, 3);
+}
+
 TEST(Session, EndsWithinATolerance) {
   Session session(walled_room());
   PlanRequest request = across();

@@ -11,10 +11,6 @@ namespace {
 
 std::string pair(double x, double y) { return general_text(x, 6) + ',' + general_text(y, 6); }
 
-std::string range(double from, double to) {
-  return general_text(from, 6) + " to " + general_text(to, 6);
-}
-
 /// The cell that a point lies in; nothing if a Cell cannot hold its numbers.
 std::optional<Cell> cell_around(Point point) {
   constexpr double kMost = 1e9;
@@ -52,8 +48,9 @@ std::string Units::radius(double cells) const {
 }
 
 std::string Units::length(double cells) const {
-  if (metric_) return general_text(cells * frame_.resolution, 3) + " m";
-  return general_text(cells, 4) + (cells == 1 ? " cell" : " cells");
+  Frame named = frame_;
+  named.metric = metric_;
+  return distance_text(cells, named);
 }
 
 std::string Units::area(std::size_t cells) const {
@@ -67,42 +64,15 @@ std::string Units::area(std::size_t cells) const {
 }
 
 std::string Units::extent() const {
-  if (metric_) return metric_extent();
+  if (metric_) return covered_metres(frame_, width_, height_);
   return "the cells with x from 0 to " + std::to_string(width_ - 1) + " and y from 0 to " +
          std::to_string(height_ - 1);
 }
 
 std::string Units::extent_of_corners() const {
-  if (metric_) return metric_extent();
+  if (metric_) return covered_metres(frame_, width_, height_);
   return "the grid vertices with x from 0 to " + std::to_string(width_) + " and y from 0 to " +
          std::to_string(height_);
-}
-
-std::string Units::metric_extent() const {
-  const double right = width_;
-  const double top = height_;
-  const auto corner = [this](double x, double y) { return frame_.to_metres(Point{x, y}); };
-  const auto text_of_corner = [](MapPoint metres) { return pair(metres.x, metres.y); };
-  const MapPoint low = corner(0, 0);
-  const MapPoint high = corner(right, top);
-  if (frame_.origin.heading == 0) {
-    return "x from " + range(low.x, high.x) + " m and y from " + range(low.y, high.y) + " m";
-  }
-  return "the rectangle " + text_of_corner(low) + " to " + text_of_corner(corner(right, 0)) +
-         " to " + text_of_corner(high) + " to " + text_of_corner(corner(0, top)) + " m";
-}
-
-std::string cell_text(Cell cell) {
-  return '(' + std::to_string(cell.x) + ',' + std::to_string(cell.y) + ')';
-}
-
-std::string metres_text(MapPoint point) {
-  const auto digits = [](double value) {
-    constexpr double kTenths = 1e4;
-    const double rounded = std::round(value * kTenths) / kTenths + 0.0;
-    return format_number(std::isfinite(rounded) ? rounded : value);
-  };
-  return '(' + digits(point.x) + ',' + digits(point.y) + ") m";
 }
 
 }  // namespace wend

@@ -15,6 +15,7 @@
 #include "wend/geometry/map_pose.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/map/place_text.hpp"
 
 namespace wend {
 
@@ -77,18 +78,10 @@ class WEND_API Units {
   double in_cells(double length) const { return metric_ ? length / frame_.resolution : length; }
 
  private:
-  std::string metric_extent() const;
-
   Frame frame_;
   int width_;
   int height_;
   bool metric_;
 };
-
-/// "(3,4)"
-WEND_API std::string cell_text(Cell cell);
-
-/// "(1.25,3.4) m": at most four digits after the point, a tenth of a millimetre.
-WEND_API std::string metres_text(MapPoint point);
 
 }  // namespace wend

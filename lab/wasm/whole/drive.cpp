@@ -1,5 +1,7 @@
 // Lab::drive(): a simulated robot follows the last path.
 
+#include <algorithm>
+
 #include "lab/wasm/answers.hpp"
 #include "lab/wasm/json.hpp"
 #include "lab/wasm/lab.hpp"
@@ -45,8 +47,9 @@ std::string Lab::drive(std::string_view controller, std::string_view robot,
   if (!path_ || path_->empty()) {
     return error_text({Status::unsupported_query, "there is no path to follow"});
   }
-  const auto driver = driver_of(controller, robot, simulation);
+  auto driver = driver_of(controller, robot, simulation);
   if (!driver) return error_text(driver.error());
+  driver->simulation.escape = std::max(driver->simulation.escape, escape_);
   const Drive drive =
       simulate(view->space, *path_, *driver->controller, driver->model, driver->simulation);
   if (drive.outcome == DriveOutcome::refused) {

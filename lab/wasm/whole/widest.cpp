@@ -1,6 +1,7 @@
 // Lab::widest(): how large a robot may be.
 
 #include "lab/wasm/answers.hpp"
+#include "lab/wasm/drawn_points.hpp"
 #include "lab/wasm/json.hpp"
 #include "lab/wasm/lab.hpp"
 #include "wend/analysis/widest_path.hpp"
@@ -17,7 +18,7 @@ std::string Lab::widest(Point start, Point goal) {
   points_.clear();
   const auto found = widest_path(space, cell_at(start), cell_at(goal), moves_);
   if (!found) return Json().object().field("joined", false).end_object().text();
-  put(found->path);
+  points_ = drawn_points(found->path);
   return Json()
       .object()
       .field("joined", true)

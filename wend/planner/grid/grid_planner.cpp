@@ -1,6 +1,7 @@
 #include "wend/planner/grid/grid_planner.hpp"
 
 #include "wend/base/parse.hpp"
+#include "wend/map/place_text.hpp"
 #include "wend/planner/rest_of_path.hpp"
 #include "wend/space/grid/grid_path.hpp"
 #include "wend/space/grid/line_cost.hpp"
@@ -12,15 +13,22 @@ std::string text_of(Point point) {
   return '(' + format_number(point.x) + ',' + format_number(point.y) + ')';
 }
 
-/// "the start, cell (3,4), is an obstacle"
+/// "the start, cell (3,4), is an obstacle"; on a map in metres "the start (0.35,0.45) m, cell (3,4), is an obstacle".
 std::string end_in_cells(const FreeSpace& space, const std::string& name, Point point) {
   const auto cell = cell_under(space, point);
+  const Frame& frame = space.map().frame();
+  if (!cell && frame.metric) {
+    return "the " + name + " " + metres_text(frame.to_metres(point)) +
+           " is outside the map, which covers " +
+           covered_metres(frame, space.width(), space.height());
+  }
   if (!cell) {
     return "the " + name + " " + text_of(point) + " is outside the map of " +
            std::to_string(space.width()) + " x " + std::to_string(space.height()) + " cells";
   }
   const std::string text =
-      "the " + name + ", cell (" + std::to_string(cell->x) + ',' + std::to_string(cell->y) + ")";
+      "the " + name + (frame.metric ? ' ' + metres_text(frame.to_metres(centre_of(*cell))) : "") +
+      ", cell " + cell_text(*cell);
   const auto blocked = space.why_blocked(*cell);
   return blocked ? text + ", is " + std::string(describe(*blocked)) : text;
 }

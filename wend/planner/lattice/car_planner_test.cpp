@@ -155,8 +155,28 @@ TEST(Car, ThatIsTooWideSaysHowFarTheObstacleIs) {
       car_on(test::drawn_space("....\n....\n....\n...#", {.footprint = Footprint::disc(1.5)}));
   expect_refusal(*planner, {at(2, 3, Heading::plus_x), {at(0, 0, Heading::plus_x)}},
                  "start_blocked",
-                 "the start (2,3,E) is impassable: the nearest obstacle is 1 cells away, the "
-                 "robot's radius is 1.5");
+                 "the start (2,3,E) is impassable: the nearest obstacle is 1 cell away, the "
+                 "robot's radius is 1.5 cells");
+}
+
+TEST(Car, GivesReasonsInMetresOnAMapInMetres) {
+  const auto planner_for = [](double radius) {
+    Grid<CellState> cells(6, 4, CellState::free);
+    cells[{5, 0}] = CellState::occupied;
+    const Frame frame{.resolution = 0.5, .origin = {1, 2, 0}, .y_up = true, .metric = true};
+    return car_on(
+        *make_free_space(*make_grid_map(cells, frame), {.footprint = Footprint::disc(radius)}));
+  };
+  const auto planner = planner_for(0);
+  const Pose here = at(1, 1, Heading::plus_x);
+  expect_refusal(*planner, {{9.5, 0, 0}, {here}}, "start_outside",
+                 "the start (5.75,2) m is outside the map, which covers x from 1 to 4 m and y "
+                 "from 2 to 4 m");
+  expect_refusal(*planner, {here, {Goal(Point{5, 1})}}, "goal_blocked",
+                 "the goal (3.5,2.5,any) m is impassable: cell (5,0) next to it is an obstacle");
+  expect_refusal(*planner_for(0.75), {at(4, 2, Heading::plus_y), {here}}, "start_blocked",
+                 "the start (3,3,N) m is impassable: the nearest obstacle is 0.707 m away, the "
+                 "robot's radius is 0.75 m");
 }
 
 TEST(Car, RefusesWhatIsNoNumber) {

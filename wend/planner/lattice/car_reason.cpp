@@ -1,19 +1,16 @@
 // Where and why a car's query fails, in words.
 
 #include <algorithm>
+#include <optional>
 
 #include "wend/base/parse.hpp"
-#include "wend/geometry/compass.hpp"
+#include "wend/map/place_text.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/robot/zone_name.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {
 namespace {
-
-std::string text_of(Cell cell) {
-  return '(' + std::to_string(cell.x) + ',' + std::to_string(cell.y) + ')';
-}
 
 /// A start or goal, as the query names it and as the lattice does.
 struct End {
@@ -52,15 +49,20 @@ End searched_goal_of(const CarLattice& lattice, const Query& query) {
   return goal_of(lattice, query);
 }
 
-/// "start (3,4,E)", in grid coordinates.
+/// "start (3,4,E)", or "start (0.3,0.4,E) m" on a map in metres.
 std::string name_of(const CarLattice& lattice, const End& end) {
-  const Cell corner{end.place.vertex.x * lattice.unit(), end.place.vertex.y * lattice.unit()};
-  const Frame& frame = lattice.free_space().map().frame();
-  return end.name + " (" + std::to_string(corner.x) + ',' + std::to_string(corner.y) + ',' +
-         std::string(end.any_heading ? "any" : letter_of(end.place.heading, frame)) + ')';
+  const Pose pose = lattice.to_grid(end.place);
+  const auto heading = end.any_heading ? std::nullopt : std::optional(pose.heading);
+  return end.name + ' ' + pose_text(pose.point(), heading, lattice.free_space().map().frame());
 }
 
 std::string outside(const CarLattice& lattice, const End& end) {
+  const GridMap& map = lattice.free_space().map();
+  if (map.frame().metric) {
+    return "the " + end.name + ' ' + metres_text(map.frame().to_metres(end.asked)) +
+           " is outside the map, which covers " +
+           covered_metres(map.frame(), map.width(), map.height());
+  }
   const auto last = [&](int corners) { return std::to_string((corners - 1) * lattice.unit()); };
   std::string text = "the " + end.name + " (" + format_number(end.asked.x) + ',' +
                      format_number(end.asked.y) +
@@ -75,16 +77,17 @@ std::string blocked(const CarLattice& lattice, const End& end) {
   if (!fault) return {};
   const std::string text = "the " + name_of(lattice, end) + " is impassable: ";
   const std::string reason(describe(fault->reason));
-  const std::string away = format_number(fault->distance) + " cells away, the robot's radius is " +
-                           format_number(lattice.free_space().radius_in_cells());
+  const Frame& frame = lattice.free_space().map().frame();
+  const std::string away = distance_text(fault->distance, frame) + " away, the robot's radius is " +
+                           distance_text(lattice.free_space().radius_in_cells(), frame);
   switch (fault->reason) {
     case BlockReason::obstacle:
     case BlockReason::unknown:
       if (const auto mask = mask_that_blocks(lattice.free_space(), fault->cell.value_or(Cell{}))) {
-        return text + "cell " + text_of(fault->cell.value_or(Cell{})) +
+        return text + "cell " + cell_text(fault->cell.value_or(Cell{})) +
                " next to it is blocked by " + *mask;
       }
-      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " next to it is " + reason;
+      return text + "cell " + cell_text(fault->cell.value_or(Cell{})) + " next to it is " + reason;
     case BlockReason::too_close:
       return text + "the nearest obstacle is " + away;
     case BlockReason::over_edge:

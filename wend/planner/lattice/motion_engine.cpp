@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wend/base/parse.hpp"
-#include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/geometry/trigonometry.hpp"
+#include "wend/map/place_text.hpp"
 #include "wend/planner/anytime_engine.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
@@ -69,13 +68,6 @@ using MotionEngine =
 using AnytimeMotionEngine = AnytimeEngineOf<LatticeEngine<MotionLattice>, LatticeNames, MotionSpace,
                                             MotionPriority, ParentLinks, PagedNodes>;
 
-/// "(2.5,3.5,90deg)", in grid coordinates
-std::string text_of(const Pose& pose) {
-  const double degrees = std::round(degrees_from(normalized_angle(pose.heading)) * 100) / 100;
-  return '(' + format_number(pose.x) + ',' + format_number(pose.y) + ',' + format_number(degrees) +
-         "deg)";
-}
-
 std::string blocked(const MotionLattice& lattice, const std::string& name, const Pose& pose) {
   const auto place = lattice.nearest(pose);
   if (!place) return {};
@@ -84,7 +76,8 @@ std::string blocked(const MotionLattice& lattice, const std::string& name, const
   const auto mask = reason == BlockReason::obstacle
                         ? mask_that_blocks(lattice.free_space(), cell_at(taken.point()))
                         : std::nullopt;
-  return "the robot does not fit at the " + name + " " + text_of(taken) + " of the lattice" +
+  return "the robot does not fit at the " + name + " " +
+         pose_text(taken, lattice.free_space().map().frame()) + " of the lattice" +
          (reason ? ": " + (mask ? "blocked by " + *mask : std::string(describe(*reason))) : "");
 }
 
@@ -152,8 +145,10 @@ std::string reason_on(const MotionLattice& lattice, const Query& query, Status s
   if (query.goals.empty()) return {};
   if (status == Status::goal_blocked) return blocked(lattice, "goal", pose_of_goal());
   if (status != Status::unreachable) return {};
-  return "no sequence of motion primitives leads from the start " + text_of(query.start) +
-         " to the goal " + text_of(pose_of_goal()) + ", in cells";
+  const Frame& frame = lattice.free_space().map().frame();
+  const Goal& goal = query.goals.front();
+  return "no sequence of motion primitives leads from the start " + pose_text(query.start, frame) +
+         " to the goal " + pose_text(goal.point, goal.heading, frame);
 }
 
 }  // namespace wend

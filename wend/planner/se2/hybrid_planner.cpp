@@ -284,7 +284,7 @@ std::string HybridPlanner::do_reason(const Query& query, Status status) const {
       return reason_of_no_drive(why_no_drive(query), free_space(), query);
     case Status::time_limit:
       if (std::isfinite(query.limits.seconds)) return {};
-      return reason_of_time_budget(options_.time_budget, query);
+      return reason_of_time_budget(options_.time_budget, free_space(), query);
     default:
       return {};
   }

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "wend/base/parse.hpp"
-#include "wend/geometry/angle.hpp"
 #include "wend/geometry/box.hpp"
 #include "wend/geometry/trigonometry.hpp"
+#include "wend/map/place_text.hpp"
 #include "wend/robot/contact.hpp"
 #include "wend/robot/near_map.hpp"
 #include "wend/robot/zone_name.hpp"
@@ -17,38 +17,43 @@ namespace {
 
 std::string rounded(double value) { return format_number(std::round(value * 1e4) / 1e4); }
 
-/// "(2.5,3.5,90deg)" or "(2.5,3.5,any)", in grid coordinates
-std::string text_of(Point point, std::optional<double> heading) {
-  const std::string text = '(' + rounded(point.x) + ',' + rounded(point.y) + ',';
-  if (!heading) return text + "any)";
-  const double degrees = std::round(degrees_from(normalized_angle(*heading)) * 100) / 100;
-  return text + format_number(degrees) + "deg)";
+std::string start_of(const FreeSpace& space, const Query& query) {
+  return "the start " + pose_text(query.start, space.map().frame());
 }
 
-std::string start_of(const Query& query) {
-  return "the start " + text_of(query.start.point(), query.start.heading);
+std::string goal_of(const FreeSpace& space, const Goal& goal) {
+  return "the goal " + pose_text(goal.point, goal.heading, space.map().frame());
 }
 
-std::string goal_of(const Goal& goal) { return "the goal " + text_of(goal.point, goal.heading); }
-
-std::string goals_of(const Query& query) {
+std::string goals_of(const FreeSpace& space, const Query& query) {
   const std::size_t count = query.goals.size();
-  return count == 1 ? goal_of(query.goals.front())
+  return count == 1 ? goal_of(space, query.goals.front())
                     : "any of the " + std::to_string(count) + " goals";
+}
+
+/// A number of cells as metres on a map in metres.
+std::string number_of(const FreeSpace& space, double cells) {
+  const Frame& frame = space.map().frame();
+  return rounded(frame.metric ? cells * frame.resolution : cells);
 }
 
 /// "0.25 m" or "2.5 cells"
 std::string length_text(const FreeSpace& space, double cells) {
-  const Frame& frame = space.map().frame();
-  return frame.metric ? rounded(cells * frame.resolution) + " m"
-                      : rounded(cells) + (cells == 1 ? " cell" : " cells");
+  if (space.map().frame().metric) return number_of(space, cells) + " m";
+  return number_of(space, cells) + (cells == 1 ? " cell" : " cells");
 }
 
-/// "6 x 3 cells": the box around an outline.
-std::string size_text(const Polygon& outline) {
+/// "6 x 3 cells" or "0.6 x 0.3 m"
+std::string size_text(const FreeSpace& space, double width, double height) {
+  return number_of(space, width) + " x " + number_of(space, height) +
+         (space.map().frame().metric ? " m" : " cells");
+}
+
+/// Of the box around an outline.
+std::string size_text(const FreeSpace& space, const Polygon& outline) {
   Box box(outline.corners().front());
   for (const Point corner : outline.corners()) box.include(corner);
-  return rounded(box.high.x - box.low.x) + " x " + rounded(box.high.y - box.low.y) + " cells";
+  return size_text(space, box.high.x - box.low.x, box.high.y - box.low.y);
 }
 
 double longest_distance(const Polygon& outline) {
@@ -74,17 +79,17 @@ bool is_too_large(const FreeSpace& space) {
 std::string too_large(const FreeSpace& space) {
   const std::string robot =
       space.outline() != nullptr
-          ? "the robot's footprint, " + size_text(*space.outline()) + ','
-          : "the robot, a disc with a radius of " + rounded(space.radius_in_cells()) + " cells,";
-  return robot + " is larger than the map, " + std::to_string(space.width()) + " x " +
-         std::to_string(space.height()) + " cells";
+          ? "the robot's footprint, " + size_text(space, *space.outline()) + ','
+          : "the robot, a disc with a radius of " + length_text(space, space.radius_in_cells()) +
+                ',';
+  return robot + " is larger than the map, " + size_text(space, space.width(), space.height());
 }
 
 std::string distance_to_nearest(const FreeSpace& space, Cell cell, std::string_view what,
                                 double radius) {
-  return std::string(what) + " is " + rounded(space.clearance(cell)) +
-         " cells from the middle of cell (" + std::to_string(cell.x) + ',' +
-         std::to_string(cell.y) + "), the robot's radius is " + rounded(radius);
+  return std::string(what) + " is " + length_text(space, space.clearance(cell)) +
+         " from the middle of cell " + cell_text(cell) + ", the robot's radius is " +
+         length_text(space, radius);
 }
 
 std::string why_blocked(const FreeSpace& space, const Pose& pose) {
@@ -118,8 +123,11 @@ std::string does_not_fit(const FreeSpace& space, const std::string& place, const
 }
 
 std::string outside_of(const FreeSpace& space) {
-  return " is outside the map, which covers x from 0 to " + std::to_string(space.width()) +
-         " and y from 0 to " + std::to_string(space.height());
+  const Frame& frame = space.map().frame();
+  return " is outside the map, which covers " +
+         (frame.metric ? covered_metres(frame, space.width(), space.height())
+                       : "x from 0 to " + std::to_string(space.width()) + " and y from 0 to " +
+                             std::to_string(space.height()));
 }
 
 std::string disc_within(const FreeSpace& space) {
@@ -147,37 +155,38 @@ std::string reason_of_headings(const Query& query) {
 }
 
 std::string reason_of_outside_start(const FreeSpace& space, const Query& query) {
-  return start_of(query) + outside_of(space);
+  return start_of(space, query) + outside_of(space);
 }
 
 std::string reason_of_outside_goal(const FreeSpace& space, const Query& query) {
-  return goal_of(query.goals.front()) + outside_of(space);
+  return goal_of(space, query.goals.front()) + outside_of(space);
 }
 
 std::string reason_of_blocked_start(const FreeSpace& space, const Query& query) {
-  return does_not_fit(space, start_of(query), query.start);
+  return does_not_fit(space, start_of(space, query), query.start);
 }
 
 std::string reason_of_blocked_goal(const FreeSpace& space, const Query& query) {
   const Goal& goal = query.goals.front();
   const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
-  if (goal.heading || space.outline() == nullptr) return does_not_fit(space, goal_of(goal), pose);
+  if (goal.heading || space.outline() == nullptr)
+    return does_not_fit(space, goal_of(space, goal), pose);
   if (is_too_large(space)) return too_large(space);
-  return "the robot fits at " + goal_of(goal) + " with no heading that was tried; with 0deg" +
-         why_blocked(space, pose).substr(1);
+  return "the robot fits at " + goal_of(space, goal) + " with no heading that was tried; with " +
+         heading_text(0, space.map().frame()) + why_blocked(space, pose).substr(1);
 }
 
-std::string reason_of_time_budget(double seconds, const Query& query) {
-  return "no drive from " + start_of(query) + " to " + goals_of(query) + " was found within " +
-         format_number(seconds) +
+std::string reason_of_time_budget(double seconds, const FreeSpace& space, const Query& query) {
+  return "no drive from " + start_of(space, query) + " to " + goals_of(space, query) +
+         " was found within " + format_number(seconds) +
          " s of CPU time, the time_budget of hybrid_astar: there may be one; a larger budget "
          "searches longer";
 }
 
 std::string reason_of_no_drive(const NoDriveFound& no_drive, const FreeSpace& space,
                                const Query& query) {
-  const std::string start = start_of(query);
-  const std::string goal = goals_of(query);
+  const std::string start = start_of(space, query);
+  const std::string goal = goals_of(space, query);
   const std::string searched = searched_text(space, no_drive);
   switch (no_drive.why) {
     case NoDriveFound::Why::parted:

@@ -1,7 +1,6 @@
 #pragma once
 
-// Why a query of hybrid_astar has no drive, in sentences. Poses and lengths in cells, but for lengths of the
-// resolution, which are in metres on maps in metres.
+// Why a query of hybrid_astar has no drive, in sentences: in metres on maps in metres, else in cells.
 
 #include <string>
 
@@ -23,7 +22,7 @@ std::string reason_of_blocked_start(const FreeSpace& space, const Query& query);
 std::string reason_of_blocked_goal(const FreeSpace& space, const Query& query);
 
 /// "no drive from ... to ... was found within 2 s of CPU time, the time_budget of hybrid_astar: ..."
-std::string reason_of_time_budget(double seconds, const Query& query);
+std::string reason_of_time_budget(double seconds, const FreeSpace& space, const Query& query);
 
 /// Why the query is unreachable.
 std::string reason_of_no_drive(const NoDriveFound& why, const FreeSpace& space, const Query& query);

@@ -50,13 +50,13 @@ constexpr std::string_view kYard =
 TEST(HybridReasons, NameTheCornerThatTouches) {
   const FreeSpace yard = space_for(kYard, kBox);
   EXPECT_EQ(answer(yard, between({5, 2.5, 0}, {12, 2, 0}), kTight),
-            "start_blocked: the robot does not fit at the start (5,2.5,0deg): its front right "
+            "start_blocked: the robot does not fit at the start (5,2.5,E): its front right "
             "corner lies in the obstacle cell (6,3)");
   EXPECT_EQ(answer(yard, between({2, 2.5, 0}, {13, 2, 0}), kTight),
-            "goal_blocked: the robot does not fit at the goal (13,2,0deg): its front right corner "
+            "goal_blocked: the robot does not fit at the goal (13,2,E): its front right corner "
             "reaches over the map's edge");
   EXPECT_EQ(answer(yard, between({2, 2.5, 0}, {6.5, 3.5, kPi / 2}), kTight),
-            "goal_blocked: the robot does not fit at the goal (6.5,3.5,90deg): its base point "
+            "goal_blocked: the robot does not fit at the goal (6.5,3.5,S): its base point "
             "lies in an obstacle cell");
 }
 
@@ -72,8 +72,8 @@ TEST(HybridReasons, NameTheLatticeOnlyIfItWasSearched) {
 TEST(HybridReasons, NameTheDistanceThatADiscLacks) {
   const FreeSpace yard = space_for(kYard, "disc:1.5");
   EXPECT_EQ(answer(yard, between({5.5, 3.5, 0}, {12, 3, 0}), kTight),
-            "start_blocked: the robot does not fit at the start (5.5,3.5,0deg): the nearest "
-            "obstacle is 0.5 cells from the middle of cell (5,3), the robot's radius is 1.5");
+            "start_blocked: the robot does not fit at the start (5.5,3.5,E): the nearest "
+            "obstacle is 0.5 cells from the middle of cell (5,3), the robot's radius is 1.5 cells");
 }
 
 TEST(HybridReasons, SayWhatIsKnownOfAGoalWithAnyHeading) {
@@ -81,7 +81,7 @@ TEST(HybridReasons, SayWhatIsKnownOfAGoalWithAnyHeading) {
   const Query query{{2, 2.5, 0}, {Goal(Point{6.5, 3.5})}};
   EXPECT_EQ(answer(yard, query, kTight),
             "goal_blocked: the robot fits at the goal (6.5,3.5,any) with no heading that was "
-            "tried; with 0deg its base point lies in an obstacle cell");
+            "tried; with E its base point lies in an obstacle cell");
 }
 
 TEST(HybridReasons, CompareARobotThatIsLargerThanTheMapWithIt) {
@@ -119,10 +119,10 @@ TEST(HybridReasons, RefuseACarWithoutATurningRadius) {
 TEST(HybridReasons, SayWhatThePartsOfTheMapCover) {
   const FreeSpace yard = space_for(kYard, kBox);
   EXPECT_EQ(answer(yard, between({3, 3, 0}, {30, 3, 0}), kTight),
-            "goal_outside: the goal (30,3,0deg) is outside the map, which covers x from 0 to 14 "
+            "goal_outside: the goal (30,3,E) is outside the map, which covers x from 0 to 14 "
             "and y from 0 to 7");
   EXPECT_EQ(answer(yard, between({-3, 3, 0}, {3, 3, 0}), kTight),
-            "start_outside: the start (-3,3,0deg) is outside the map, which covers x from 0 to 14 "
+            "start_outside: the start (-3,3,E) is outside the map, which covers x from 0 to 14 "
             "and y from 0 to 7");
 }
 
@@ -137,7 +137,7 @@ TEST(HybridReasons, TellPlacesThatNoDiscJoins) {
       "......#......\n",
       "1.4,1.3; 1.4,-1.3; -1.4,-1.3; -1.4,1.3");
   EXPECT_EQ(answer(parted, between({3, 3.5, 0}, {10, 3.5, 0}), kTight),
-            "unreachable: no drive leads from the start (3,3.5,0deg) to the goal (10,3.5,0deg): "
+            "unreachable: no drive leads from the start (3,3.5,E) to the goal (10,3.5,E): "
             "obstacles part "
             "them, even for the largest disc within the robot, with a radius of 1.3 cells");
 }
@@ -160,15 +160,15 @@ constexpr std::string_view kSlot =
 TEST(HybridReasons, TellAGoalThatIsBoxedIn) {
   const FreeSpace slot = space_for(kSlot, "2.9,0.8; 2.9,-0.8; -2.9,-0.8; -2.9,0.8");
   EXPECT_EQ(answer(slot, between({4, 3.5, 0}, {7, 9, 0}), kTight),
-            "unreachable: the goal (7,9,0deg) is boxed in: the robot cannot get there, however it "
+            "unreachable: the goal (7,9,E) is boxed in: the robot cannot get there, however it "
             "moves");
 }
 
 TEST(HybridReasons, TellAStartThatIsBoxedIn) {
   const FreeSpace slot = space_for(kSlot, "2.9,0.8; 2.9,-0.8; -2.9,-0.8; -2.9,0.8");
   EXPECT_EQ(answer(slot, between({7, 9, 0}, {4, 3.5, 0}), kTight),
-            "unreachable: the start (7,9,0deg) is boxed in: the robot cannot get from there to the "
-            "goal (4,3.5,0deg), however it moves");
+            "unreachable: the start (7,9,E) is boxed in: the robot cannot get from there to the "
+            "goal (4,3.5,E), however it moves");
 }
 
 /// Two rooms in which the robot drives about. The gap is wide enough for a disc, but not for the robot.
@@ -181,17 +181,54 @@ TEST(HybridReasons, NameTheResolutionAtWhichNothingWasFound) {
     }
     return space_for(drawing, "1.4,1.1; 1.4,-1.1; -1.4,-1.1; -1.4,1.1");
   };
-  EXPECT_EQ(
-      answer(rooms(15, 15), between({4, 4, 0}, {27, 4, 0}), kTight),
-      "unreachable: no drive from the start (4,4,0deg) to the goal (27,4,0deg) was found at this "
-      "resolution, " +
-          kFinely);
+  EXPECT_EQ(answer(rooms(15, 15), between({4, 4, 0}, {27, 4, 0}), kTight),
+            "unreachable: no drive from the start (4,4,E) to the goal (27,4,E) was found at this "
+            "resolution, " +
+                kFinely);
   // The room of the start is at its end long before that of the goal.
-  EXPECT_EQ(
-      answer(rooms(5, 160), between({3, 4, 0}, {160, 4, 0}), kTight),
-      "unreachable: no drive from the start (3,4,0deg) to the goal (160,4,0deg) was found at this "
-      "resolution, " +
-          kFinely);
+  EXPECT_EQ(answer(rooms(5, 160), between({3, 4, 0}, {160, 4, 0}), kTight),
+            "unreachable: no drive from the start (3,4,E) to the goal (160,4,E) was found at this "
+            "resolution, " +
+                kFinely);
+}
+
+/// The same drawing with cells of 0.1 m, its lower left corner at (-1,2), y up.
+FreeSpace metric_space(std::string_view drawing, std::string_view footprint) {
+  const GridMap drawn = test::drawn_map(drawing);
+  Grid<CellState> cells(drawn.width(), drawn.height(), CellState::free);
+  for (int y = 0; y < drawn.height(); ++y) {
+    for (int x = 0; x < drawn.width(); ++x) {
+      cells[{x, drawn.height() - 1 - y}] = drawn.state({x, y});
+    }
+  }
+  const Frame frame{.resolution = 0.1, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
+  return *make_free_space(*make_grid_map(cells, frame), {.footprint = *parse_footprint(footprint)});
+}
+
+TEST(HybridReasons, AreInMetresOnAMapInMetres) {
+  const OptionValues tight{{"turning_radius", "0.2"}, {"time_budget", "100"}};
+  const FreeSpace yard = metric_space(kYard, "0.14,0.09; 0.14,-0.09; -0.14,-0.09; -0.14,0.09");
+  EXPECT_EQ(answer(yard, between({5, 4.5, 0}, {12, 2, 0}), tight),
+            "start_blocked: the robot does not fit at the start (-0.5,2.45,E) m: its front right "
+            "corner lies in the obstacle cell (6,3)");
+  EXPECT_EQ(answer(yard, between({3, 3, 0}, {30, 3, 1}), tight),
+            "goal_outside: the goal (2,2.3,57.3deg) m is outside the map, which covers x from -1 "
+            "to 0.4 m and y from 2 to 2.7 m");
+  const FreeSpace disc = metric_space(kYard, "disc:0.15");
+  EXPECT_EQ(answer(disc, between({5.5, 3.5, 0}, {12, 3, 0}), tight),
+            "start_blocked: the robot does not fit at the start (-0.45,2.35,E) m: the nearest "
+            "obstacle is 0.05 m from the middle of cell (5,3), the robot's radius is 0.15 m");
+  const FreeSpace lorry = metric_space(kYard, "1.2,0.3; 1.2,-0.3; -1.2,-0.3; -1.2,0.3");
+  EXPECT_EQ(answer(lorry, between({7, 3.5, 0}, {8, 3.5, 0}), tight),
+            "start_blocked: the robot's footprint, 2.4 x 0.6 m, is larger than the map, 1.4 x 0.7 "
+            "m");
+  EXPECT_EQ(answer(metric_space(kYard, "disc:0.4"), between({3, 3.5, 0}, {8, 3.5, 0}), tight),
+            "start_blocked: the robot, a disc with a radius of 0.4 m, is larger than the map, 1.4 "
+            "x 0.7 m");
+  const FreeSpace slot = metric_space(kSlot, "0.29,0.08; 0.29,-0.08; -0.29,-0.08; -0.29,0.08");
+  EXPECT_EQ(answer(slot, between({4, 7.5, 0}, {7, 2, 0}), tight),
+            "unreachable: the goal (-0.3,2.2,E) m is boxed in: the robot cannot get there, however "
+            "it moves");
 }
 
 TEST(HybridReasons, CountSeveralGoals) {
