@@ -87,7 +87,7 @@ ArrivalBoards::ArrivalBoards(const Corners& corners, const JumpBoards& boards,
 }
 
 Turns::Turns(const BitGrid& passable, const IndexBuilding& building)
-    : corners_(passable),
+    : corners_(passable, building),
       boards_(building.cancelled() ? BitGrid(1, 1) : passable),
       arrivals_(corners_, boards_, building) {
   if (building.cancelled()) return;

@@ -18,7 +18,7 @@
 namespace wend {
 
 /// The engine and what follows edits, for parts with which it can_leap().
-GridPlanner::Parts replan_parts(const FreeSpace& space, const BestFirst& parts,
-                                ReplanSearch search);
+GridPlanner::Parts replan_parts(const FreeSpace& space, const BestFirst& parts, ReplanSearch search,
+                                DeadlineCheck& stop = DeadlineCheck::never());
 
 }  // namespace wend

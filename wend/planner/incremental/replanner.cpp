@@ -8,9 +8,10 @@
 namespace wend {
 namespace {
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const ReplannerOptions& options) {
+GridPlanner::Parts choose_parts(const FreeSpace& space, const ReplannerOptions& options,
+                                DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
-  return replan_parts(space, {options.moves, kind, 0, 1}, options.search);
+  return replan_parts(space, {options.moves, kind, 0, 1}, options.search, stop);
 }
 
 }  // namespace

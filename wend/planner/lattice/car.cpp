@@ -9,7 +9,8 @@
 namespace wend {
 namespace {
 
-PlannerResult make(const FreeSpace& space, const OptionValues& values) {
+PlannerResult make_within(const FreeSpace& space, const OptionValues& values,
+                          const Deadline& deadline) {
   auto options = parse_options<CarOptions>(values);
   if (!options) {
     return Unexpected<Error>(options.error());
@@ -25,11 +26,14 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
     }
     options->driving.unit = unit_for(options->turning_radius, space.map().frame());
   }
-  const auto lattice_for =
-      [driving = options->driving](const FreeSpace& other) -> Expected<CarLattice, Error> {
+  const auto lattice_for = [driving = options->driving](
+                               const FreeSpace& other,
+                               DeadlineCheck& stop) -> Expected<CarLattice, Error> {
     std::string why_none = why_no_lattice(other.map(), driving);
     if (!why_none.empty()) return failure(Status::unsupported_map, std::move(why_none));
-    return CarLattice(other, driving);
+    CarLattice lattice(other, driving, stop);
+    if (stop.has_passed()) return failure(stop.deadline()->status(), stop.deadline()->text());
+    return lattice;
   };
   const auto engine_on = [options = *options](const CarLattice& lattice) {
     if (options.anytime()) {
@@ -37,11 +41,18 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
     }
     return make_engine(lattice, options.heuristic, options.weight);
   };
+  DeadlineCheck stop(&deadline);
   auto planner = std::make_unique<LatticePlanner<CarLattice>>(
-      space, LatticeParts<CarLattice>{lattice_for, engine_on, "the car", options->bound(),
-                                      static_cast<int>(options->driving.unit)});
+      space,
+      LatticeParts<CarLattice>{lattice_for, engine_on, "the car", options->bound(),
+                               static_cast<int>(options->driving.unit)},
+      stop);
   if (auto fault = planner->fault()) return Unexpected<Error>(*std::move(fault));
   return planner;
+}
+
+PlannerResult make(const FreeSpace& space, const OptionValues& values) {
+  return make_within(space, values, {});
 }
 
 }  // namespace
@@ -85,7 +96,8 @@ PlannerInfo car_planner() {
                        .terrain = true,
                        .can_step = true},
       .options = option_schema<CarOptions>(),
-      .make = make};
+      .make = make,
+      .make_within = make_within};
 }
 
 }  // namespace wend
