@@ -344,7 +344,7 @@ typedef struct wend_request {
   double heading_tolerance;  // radians, >= 0: the same for the heading; default 0
   const char* planner;       // a planner and its options: "astar:weight=1.5"; default "astar"
   uint64_t expansions;       // the most states to expand; default UINT64_MAX
-  double seconds;      // of the whole call, with the making of the planner, >= 0; default infinity
+  double seconds;      // of the whole call, with all that it has to make, >= 0; default infinity
   double spacing;      // metres, of the poses along the path; default 0: where the planner has them
   int32_t straighten;  // 1: joins cells by lines along which the robot fits; default 0
   int32_t explain;     // 1: says why there is no path, in O(cells log cells); default 1

@@ -203,15 +203,18 @@ FreeSpace MapArguments::free_space(const GridMap& map, double planner_bytes_per_
   return value_or_throw(make_free_space(map, robot));
 }
 
-std::unique_ptr<Session> MapArguments::session(const GridMap& map,
-                                               double planner_bytes_per_cell) const {
+std::unique_ptr<Session> MapArguments::session(const GridMap& map, double planner_bytes_per_cell,
+                                               const Deadline& deadline) const {
   FreeSpaceOptions robot = options(map);
   const double per_cell = free_space_bytes_per_cell(map, robot) + planner_bytes_per_cell;
   check_memory(map, per_cell * static_cast<double>(map.size()));
   auto session = std::make_unique<Session>(map, std::move(robot),
                                            SessionOptions{.hints = command_line_hints()});
-  if (const auto view = session->view(); !view) throw InputError(view.error().message);
-  return session;
+  const auto view = session->view(deadline);
+  if (view) return session;
+  const std::string& why = view.error().message;
+  if (!deadline.passed()) throw InputError(why);
+  throw NoPathError(why, {std::string(to_string(view.error().status)), why});
 }
 
 void check_memory(const std::string& file, const GridMap& map, double need,

@@ -164,9 +164,11 @@ double RefineArguments::rounding(const Coordinates& coordinates) const {
   return corner_rounding_in_cells(corner_rounding, coordinates);
 }
 
-RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
-                   double corner_rounding, const Deadline& deadline) {
+Expected<RefinedPath, Error> refine(const Path& path, const FreeSpace& space,
+                                    const Refinement& refinement, double corner_rounding,
+                                    const Deadline& deadline) {
   auto refined = wend::refined(path, space, refinement, deadline);
+  if (!refined && deadline.passed()) return Unexpected<Error>(std::move(refined).error());
   if (!refined) throw InputError(refined.error().message);
   return refined_path(path, refinement, *std::move(refined), space, corner_rounding);
 }

@@ -28,9 +28,11 @@ void add_corner_rule(Parser& app, CornerRule& rule) {
 
 void LimitArguments::add_to(Parser& app) {
   add_count(app, "--limit-expansions", expansions, "Limit on the number of expansions");
-  add_number(app, "--limit-time", seconds, kLimitSeconds,
-             "Limit on the time, in seconds of wall time: on making the planner, the search, the "
-             "reason of a failure, and smoothing; reading the map does not count");
+  add_number(
+      app, "--limit-time", seconds, kLimitSeconds,
+      "Limit on the time, in seconds of wall time: on making the free space and the planner, "
+      "the search, the reason of a failure, smoothing and timing; reading the map does not "
+      "count. With --queries, of each query by itself");
   app.further({"--limit-expansions"});
 }
 

@@ -96,7 +96,7 @@ bool FollowRun::find_path() {
   if (!path) return false;
   check_drivable(*path);
   const double rounding = arguments_.refine.rounding(coordinates_);
-  path_ = refine(*path, planning_space_, refinement_, rounding);
+  path_ = value_or_throw(refine(*path, planning_space_, refinement_, rounding));
   if (!lead_.empty()) path_ = with_lead(lead_, std::move(path_), planning_space_, rounding);
   controllers_ = arguments_.drive.controllers(robot_, path_.refined.path);
   return true;
@@ -196,9 +196,9 @@ void FollowRun::write_failure(const FailedPlan& plan, const Scene& scene) const 
 
 /// The robot's own shape has to fit along the rounded corners: the margin is for errors.
 SampledTrajectory FollowRun::timed_path() const {
-  return arguments_.trajectory.along(path_.refined.path, space_,
-                                     arguments_.refine.rounding(coordinates_),
-                                     refinement_.adjacency, arguments_.drive.trajectory_limits());
+  return value_or_throw(arguments_.trajectory.along(
+      path_.refined.path, space_, arguments_.refine.rounding(coordinates_), refinement_.adjacency,
+      arguments_.drive.trajectory_limits()));
 }
 
 /// Tracks the trajectory along the path with rounded corners.

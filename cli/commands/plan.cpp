@@ -162,13 +162,13 @@ void check(const PlanArguments& arguments) {
   }
 }
 
-/// If a map does not fit into memory, the path files say so.
+/// If a map does not fit into memory, or its free space is not made in time, the path files say so.
 std::unique_ptr<Session> session_for(const PlanArguments& arguments, const GridMap& map,
-                                     const PlannerSpec& planner) {
+                                     const PlannerSpec& planner, const Deadline& deadline) {
   const std::uint64_t planners = arguments.queries.empty() ? 1 : arguments.threads;
   try {
-    return arguments.map.session(map,
-                                 static_cast<double>(planners) * info_of(planner).bytes_per_cell);
+    return arguments.map.session(
+        map, static_cast<double>(planners) * info_of(planner).bytes_per_cell, deadline);
   } catch (const NoPathError& error) {
     write_failed_plan(arguments, error.plan());
     throw;
@@ -200,10 +200,12 @@ int run(const PlanArguments& arguments) {
   }
   check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
   check_not_among(loaded.files, arguments.plot, "--plot " + arguments.plot);
+  // Of many queries, each has a limit of its own.
+  const Deadline deadline = arguments.queries.empty() ? arguments.limits.deadline() : Deadline();
   const auto session = timed(thread_cpu_seconds, times.free_space,
-                             [&] { return session_for(arguments, loaded.map, planner); });
+                             [&] { return session_for(arguments, loaded.map, planner, deadline); });
   if (!arguments.queries.empty()) return run_queries(arguments, *session, planner, index);
-  PlanRun run(arguments, *session, std::move(planner), std::move(index), times);
+  PlanRun run(arguments, *session, std::move(planner), std::move(index), times, deadline);
   run.plan();
   return run.report();
 }

@@ -47,6 +47,10 @@ class QueryWorker {
       refuse(answer, row.wrong);
       return answer;
     }
+    if (Interruptible::cancelled()) {
+      fail(answer, Status::cancelled, std::string(describe(Status::cancelled)));
+      return answer;
+    }
     try {
       ask(answer);
     } catch (const InputError& error) {
@@ -70,18 +74,23 @@ class QueryWorker {
   }
 
   void ask(QueryAnswer& answer) {
+    const Deadline deadline = arguments_.limits.deadline();
+    explainer_.stop_at(deadline);
     const auto asked = typed_query(spec_, space_, coordinates_,
                                    {answer.start, {answer.goal}, arguments_.ends.tolerance});
     EasedQuery eased(asked->query(), *planner_, explainer_, coordinates_, leeway_);
     asked->move_ends(eased);
     Query& query = eased.query();
-    query.limits.expansions = arguments_.limits.expansions;
-    if (arguments_.limits.seconds) query.limits.seconds = *arguments_.limits.seconds;
-    query.limits.cancel = &Interruptible::cancelled();
+    const auto search = [&] {
+      query.limits = deadline.left();
+      query.limits.expansions = arguments_.limits.expansions;
+      return planner_->plan(query, answer.plan);
+    };
     const Status status = timed(thread_cpu_seconds, answer.seconds, [&] {
-      const Status first = planner_->plan(query, answer.plan);
-      return eased.ease_goals(first) ? planner_->plan(query, answer.plan) : first;
+      const Status first = search();
+      return eased.ease_goals(first) ? search() : first;
     });
+    if (arguments_.limits.seconds) query.limits.seconds = *arguments_.limits.seconds;
     answer.status = to_string(status);
     if (status == Status::found) return finish(eased, answer);
     // Finding the reason takes an extra search: worth it for one query, not for each of thousands.

@@ -49,11 +49,12 @@ void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan) {
 }
 
 PlanRun::PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec planner,
-                 IndexArgument index, const WorkTimes& times)
+                 IndexArgument index, const WorkTimes& times, Deadline deadline)
     : arguments_(arguments),
       session_(session),
       spec_(std::move(planner)),
       index_(std::move(index)),
+      deadline_(std::move(deadline)),
       space_(value_or_throw(session.view()).space),
       asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)),
       refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()))) {
@@ -74,7 +75,6 @@ bool PlanRun::records() const {
 }
 
 void PlanRun::plan() {
-  deadline_ = arguments_.limits.deadline();
   if (records() || !arguments_.watch.trace.empty()) spec_ = without_leaps(std::move(spec_));
   result_.planner = spec_.name;
   result_.capabilities = info_of(spec_).capabilities;
@@ -268,20 +268,27 @@ Status PlanRun::step_by_keys(SteppedSearch& search, const SearchRecorder& record
 }
 
 void PlanRun::refine_path() {
-  if (deadline_.passed()) {
-    result_.plan.path.clear();
-    return fail(deadline_.status(), deadline_.text() + ", before the path was refined");
-  }
-  result_.refined =
+  auto refined =
       refine(result_.plan.path, space_, refinement_,
              arguments_.refine.rounding(arguments_.map.coordinates(space_.map())), deadline_);
+  if (!refined) return give_up(refined.error());
+  result_.refined = *std::move(refined);
+}
+
+/// There is a path, but no time for what was to be done with it.
+void PlanRun::give_up(const Error& why) {
+  result_.plan.path.clear();
+  result_.refined.reset();
+  fail(why.status, why.message);
 }
 
 void PlanRun::time_path() {
   const TrajectoryArguments& trajectory = arguments_.trajectory;
-  result_.trajectory = trajectory.along(
+  auto timed = trajectory.along(
       path(), space_, arguments_.refine.rounding(arguments_.map.coordinates(space_.map())),
-      refinement_.adjacency, trajectory.limits());
+      refinement_.adjacency, trajectory.limits(), deadline_);
+  if (!timed) return give_up(timed.error());
+  result_.trajectory = *std::move(timed);
 }
 
 void PlanRun::make_layers(const Limits& limits) {

@@ -58,9 +58,10 @@ void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan);
 
 class PlanRun {
  public:
-  /// `times` are those of the work done for the query so far. The session has a map.
+  /// `times` are those of the work done for the query so far; the deadline is that of all the work. The session has a
+  /// map and its free space.
   PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec planner,
-          IndexArgument index, const WorkTimes& times);
+          IndexArgument index, const WorkTimes& times, Deadline deadline);
 
   /// Plans. Throws InputError for options out of range.
   void plan();
@@ -82,6 +83,7 @@ class PlanRun {
   Status step_to_the_end(SteppedSearch& search);
   Status step_by_keys(SteppedSearch& search, const SearchRecorder& recorder);
   void refine_path();
+  void give_up(const Error& why);
   void time_path();
   void make_layers(const Limits& limits);
   void fail(Status status, std::string reason);
@@ -106,7 +108,7 @@ class PlanRun {
   Session& session_;
   PlannerSpec spec_;
   IndexArgument index_;
-  Deadline deadline_ = {};  // of all that plan() does
+  Deadline deadline_;  // of all that is done for the query
   bool built_index_ = false;
   FreeSpace space_;
   std::unique_ptr<TypedQuery> asked_;

@@ -49,9 +49,10 @@ class BufferView {
   Py_ssize_t rows() const { return view_.shape[0]; }
   Py_ssize_t columns() const { return view_.shape[1]; }
 
-  /// Calls visitor(Strided<T>) with the type of the numbers. bool is read as a byte.
+  /// Calls visitor(Strided<T>) with the type of the numbers, without the interpreter lock. bool is read as a byte.
   template <class Visitor>
   void visit(Visitor&& visitor) const {
+    const nanobind::gil_scoped_release unlocked;
     switch (type()) {
       case '?':
       case 'B':

@@ -61,6 +61,7 @@ Frame frame_of(std::optional<double> resolution, const Origin& origin, bool y_up
 GridMap occupancy_of(nb::handle array, std::optional<double> resolution, const Origin& origin,
                      int occupied_from, double cost_factor, bool y_up) {
   const auto grid = bytes_of<std::int8_t>(array);
+  const nb::gil_scoped_release unlocked;
   return value_or_throw(map_from_occupancy(grid.values, grid.width, grid.height,
                                            frame_of(resolution, origin, y_up),
                                            {occupied_from, cost_factor}));
@@ -69,6 +70,7 @@ GridMap occupancy_of(nb::handle array, std::optional<double> resolution, const O
 GridMap costmap_of(nb::handle array, std::optional<double> resolution, const Origin& origin,
                    double cost_factor, bool y_up) {
   const auto grid = bytes_of<std::uint8_t>(array);
+  const nb::gil_scoped_release unlocked;
   return value_or_throw(map_from_costmap(grid.values, grid.width, grid.height,
                                          frame_of(resolution, origin, y_up), {cost_factor}));
 }
@@ -94,8 +96,10 @@ GridMap map_under(const GridMap& map, const GridMap& mask) {
 }
 
 GridMap map_with(const GridMap& map, nb::handle costs) {
-  return value_or_throw(with_terrain(
-      map, costs.is_none() ? Grid<double>() : costs_like(costs, map.width(), map.height())));
+  Grid<double> terrain =
+      costs.is_none() ? Grid<double>() : costs_like(costs, map.width(), map.height());
+  const nb::gil_scoped_release unlocked;
+  return value_or_throw(with_terrain(map, std::move(terrain)));
 }
 
 }  // namespace

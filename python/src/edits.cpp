@@ -12,6 +12,7 @@
 #include "python/src/arrays.hpp"
 #include "python/src/cells.hpp"
 #include "python/src/errors.hpp"
+#include "python/src/interrupts.hpp"
 #include "python/src/space.hpp"
 
 namespace nb = nanobind;
@@ -54,7 +55,10 @@ Grid<CellState> states_of(const Planes& planes) {
 /// A box whose cell (0, 0) goes to (x, y). At least one of the arrays is there.
 Boxes edit_box(Space& space, std::int64_t x, std::int64_t y, nb::handle array, nb::handle costs) {
   MapEdit edit{.corner = {coordinate_of(x), coordinate_of(y)}};
-  if (!array.is_none()) edit.states = states_of(planes_of(array, "array"));
+  if (!array.is_none()) {
+    const Planes planes = planes_of(array, "array");
+    edit.states = unlocked([&] { return states_of(planes); });
+  }
   if (!costs.is_none()) edit.terrain = costs_of(costs);
   return changed_by(space, edit);
 }

@@ -30,8 +30,10 @@ GridMap map_of(nb::handle array, std::optional<double> resolution,
   Grid<double> terrain = costs.is_none()
                              ? Grid<double>()
                              : costs_like(costs, planes.occupied.width(), planes.occupied.height());
-  return value_or_throw(make_grid_map(std::move(planes.occupied), std::move(planes.unknown), frame,
-                                      std::move(terrain)));
+  return unlocked([&] {
+    return value_or_throw(make_grid_map(std::move(planes.occupied), std::move(planes.unknown),
+                                        frame, std::move(terrain)));
+  });
 }
 
 auto states_of(const GridMap& map) {

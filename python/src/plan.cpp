@@ -16,6 +16,7 @@
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
+#include "python/src/interrupts.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/path/gears.hpp"
@@ -82,7 +83,8 @@ auto points_of(const Planned& plan) {
 
 nb::dict quality_of(const Planned& plan) {
   const double metre = plan.answer.space.map().frame().resolution;
-  const PathMetrics metrics = value_or_throw(measure(plan.path(), plan.answer.space));
+  const PathMetrics metrics =
+      unlocked([&] { return value_or_throw(measure(plan.path(), plan.answer.space)); });
   nb::dict quality;
   quality["length"] = metrics.length * metre;
   quality["turning"] = metrics.turning;
@@ -113,18 +115,24 @@ Planned smoothed(const Planned& plan, std::optional<std::string> smoother,
     refinement.max_distance = *max_distance / resolution;
   }
   Planned result{plan.answer};
+  Interrupts interrupts;
+  Limits limits;
+  interrupts.watch(limits);
+  std::optional<Expected<Refined, Error>> smoother_path;
   {
     const nb::gil_scoped_release unlocked;
     // A way out is not refined.
     const auto& lead_out = plan.answer.lead_out;
     const std::size_t points = lead_out ? lead_out->points : 0;
-    result.answer.refined =
-        value_or_throw(refined(behind_lead(plan.path(), points), plan.answer.space, refinement));
-    if (lead_out) {
-      Path& path = result.answer.refined->path;
+    smoother_path =
+        refined(behind_lead(plan.path(), points), plan.answer.space, refinement, Deadline(limits));
+    if (lead_out && *smoother_path) {
+      Path& path = (*smoother_path)->path;
       path = joined(lead_of(plan.path(), points), path);
     }
   }
+  interrupts.throw_if_interrupted();
+  result.answer.refined = value_or_throw(*std::move(smoother_path));
   return result;
 }
 
@@ -134,9 +142,15 @@ Trajectory timed(const Planned& plan, const nb::dict& options,
   if (corner_rounding) check_length(*corner_rounding, "corner_rounding", true);
   const double resolution = plan.answer.space.map().frame().resolution;
   const double rounding = corner_rounding ? *corner_rounding / resolution : kCornerRounding;
-  const nb::gil_scoped_release unlocked;
-  return value_or_throw(
-      timed_path(plan.path(), plan.answer.space, plan.adjacency(), limits, rounding));
+  Interrupts interrupts;
+  Limits while_running;
+  interrupts.watch(while_running);
+  auto trajectory = unlocked([&] {
+    return timed_path(plan.path(), plan.answer.space, plan.adjacency(), limits, rounding,
+                      Deadline(while_running));
+  });
+  interrupts.throw_if_interrupted();
+  return value_or_throw(std::move(trajectory));
 }
 
 /// Rows of time, x, y, heading, speed and turn rate.
@@ -262,7 +276,7 @@ void bind_plan(nb::module_& module) {
                                  format_number(kMost) + " rows",
                              "period");
              }
-             return rows_of(trajectory.samples(period));
+             return rows_of(unlocked([&] { return trajectory.samples(period); }));
            })
       .def("row", [](const Trajectory& trajectory, double time) {
         if (std::isnan(time)) throw_failure(Status::invalid_option, "time is NaN", "time");

@@ -209,8 +209,12 @@ class Solutions {
       : space_(std::move(space)), request_(std::move(request)) {
     interrupts_.watch(request_.limits);
     request_.on_solution = [this](const Plan& /*plan*/) { told_ = true; };
-    planner_ =
-        value_or_throw(make_planner(request_.planner.name, space_, request_.planner.options));
+    auto made = unlocked([this] {
+      return make_planner(request_.planner.name, space_, request_.planner.options,
+                          Deadline(request_.limits));
+    });
+    interrupts_.throw_if_interrupted();
+    planner_ = value_or_throw(std::move(made));
     if (!planner_->anytime()) {
       throw_failure(Status::invalid_option,
                     request_.planner.name + " is not an anytime planner: it finds one path",

@@ -30,8 +30,10 @@ FreeSpace space_of(nb::handle world) {
     const nb::object array = nb::module_::import_("wend._arrays").attr("numbers_of")(world, kWorld);
     planes = planes_of(array, kWorld);
   }
-  return value_or_throw(make_free_space(
-      value_or_throw(make_grid_map(std::move(planes.occupied), std::move(planes.unknown)))));
+  return unlocked([&] {
+    return value_or_throw(make_free_space(
+        value_or_throw(make_grid_map(std::move(planes.occupied), std::move(planes.unknown)))));
+  });
 }
 
 int index_of(nb::handle pose, Py_ssize_t i, const std::string& name) {
@@ -118,13 +120,18 @@ nb::object search(nb::handle world, nb::handle robot_pose, nb::handle goal_pose,
   const FreeSpace space = space_of(world);
   const Cell start = cell_of(robot_pose, "robot_pose", row_first, space);
   const Cell goal = cell_of(goal_pose, "goal_pose", row_first, space);
-  const auto made = value_or_throw(make_planner(spec.name, space, spec.options));
+  Interrupts interrupts;
+  Limits limits;
+  interrupts.watch(limits);
+  auto making =
+      unlocked([&] { return make_planner(spec.name, space, spec.options, Deadline(limits)); });
+  interrupts.throw_if_interrupted();
+  const auto made = value_or_throw(std::move(making));
   check_steps(*made, planner, connectivity);
   const Units units(space.map());
   const Explainer explainer(space, units, made->grid_moves().value_or(GridMoves{}), {});
   Query query = Query::between(start, goal);
-  Interrupts interrupts;
-  interrupts.watch(query.limits);
+  query.limits = limits;
   Plan plan;
   Status status = Status::found;
   {

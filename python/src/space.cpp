@@ -71,11 +71,14 @@ std::unique_ptr<Space> space_of(const GridMap& map, nb::handle footprint,
                          .clearance_distance = clearance_distance,
                          .clearance_cost = clearance_cost};
   if (outside) robot.outside = policy_of<OutsidePolicy>(*outside, "outside");
-  const nb::gil_scoped_release unlocked;
   auto session = std::make_unique<Session>(
       map, std::move(robot), SessionOptions{.idle_planners = idle_planners, .hints = hints()});
-  Session::View view = value_or_throw(session->view());
-  return std::make_unique<Space>(std::move(session), std::move(view));
+  Interrupts interrupts;
+  Limits limits;
+  interrupts.watch(limits);
+  auto view = unlocked([&] { return session->view(Deadline(limits)); });
+  interrupts.throw_if_interrupted();
+  return std::make_unique<Space>(std::move(session), value_or_throw(std::move(view)));
 }
 
 GridMoves moves_of(const std::string& connectivity, const std::string& corner_rule) {

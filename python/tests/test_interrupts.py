@@ -10,7 +10,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from types import FrameType
 
 import numpy as np
@@ -116,6 +116,104 @@ def test_a_signal_stops_the_building_of_an_index(planner: str) -> None:
     with pytest.raises(Alarm), alarm():
         wend.Index.build(space, planner, threads=2)
     assert wend.Index.build(wend.Map(np.zeros((9, 9))).free_space(), planner).size > 0
+
+
+# A slow signal would come too late: the map is made before the alarm, what follows takes seconds.
+OPEN = np.zeros((4000, 4000), dtype=np.int8)
+OPEN[::40, ::40] = 1
+
+
+def test_a_signal_stops_the_making_of_a_free_space() -> None:
+    world = wend.Map(OPEN)
+    with pytest.raises(Alarm), alarm():
+        for clearance in range(1, 30):
+            world.free_space(2.0, clearance_distance=float(clearance))
+    assert wend.Map(np.zeros((9, 9))).free_space(0.4).plan(START, (3.5, 0.5)).cost == 3
+
+
+def test_a_signal_stops_planners_that_prepare() -> None:
+    space = wend.Map(WALLED).free_space()
+    with pytest.raises(Alarm), alarm():
+        for landmarks in range(1, 9):
+            space.plan(START, GOAL, "alt", landmarks=landmarks)
+    check_usable(space)
+
+
+def test_a_signal_stops_smoothing_and_timing() -> None:
+    plan = wend.Map(WALLED).free_space().plan(START, GOAL)
+    with pytest.raises(Alarm), alarm():
+        while True:
+            plan.smooth(simplify="sight", spacing=0.01)
+    with pytest.raises(Alarm), alarm():
+        while True:
+            plan.trajectory()
+    assert plan.smooth().trajectory().duration > 0
+
+
+def counted_beside(call: Callable[[], object]) -> int:
+    """How often another thread gets the interpreter lock during a call: a call that holds it lets nobody count, but at
+    its beginning and its end."""
+    count = 0
+    running = threading.Event()
+    ended = threading.Event()
+
+    def counting() -> None:
+        nonlocal count
+        running.set()
+        while not ended.is_set():
+            count += 1
+
+    # So long runs Python in one thread before another may: what is counted is counted while the call has no lock.
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(0.05)
+    thread = threading.Thread(target=counting)
+    try:
+        thread.start()
+        running.wait()
+        time.sleep(0)  # the time begins
+        begun = count
+        call()
+        return count - begun
+    finally:
+        ended.set()
+        sys.setswitchinterval(before)
+        thread.join()
+
+
+LARGE = np.zeros((1500, 1500), dtype=np.int8)
+LARGE[::7, ::5] = 1
+
+
+def calls_that_take_long() -> dict[str, Callable[[], object]]:
+    world = wend.Map(LARGE)
+    space = world.free_space()
+    plan = space.plan((1.5, 1.5), (1450.5, 1450.5))
+    trajectory = plan.trajectory()
+    return {
+        "Map": lambda: wend.Map(LARGE),
+        "Map.array": lambda: world.array,
+        "Map.with_costs": lambda: world.with_costs(np.full(LARGE.shape, 2.0)),
+        "free_space": lambda: world.free_space(0.4, clearance_distance=3.0),
+        "passable": lambda: space.passable,
+        "clearance": lambda: space.clearance,
+        "costs": lambda: space.costs,
+        "plan": lambda: space.plan((1.5, 1.5), (1450.5, 1450.5)),
+        "plan_many": lambda: space.plan_many([(1.5, 1.5)], [(1450.5, 1450.5)]),
+        "cost_to_go": lambda: space.cost_to_go((1.5, 1.5)),
+        "policy": lambda: space.policy((1.5, 1.5)),
+        "solutions": lambda: next(iter(space.solutions((1.5, 1.5), (1450.5, 1450.5)))),
+        "search": lambda: wend.search(LARGE, (1, 1), (1450, 1450)),
+        "smooth": lambda: plan.smooth(simplify="sight"),
+        "trajectory": lambda: plan.trajectory(),
+        "samples": lambda: trajectory.samples(0.01),
+        "quality": lambda: plan.quality,
+        "follow": lambda: wend.follow(plan),
+    }
+
+
+def test_what_takes_long_does_not_hold_the_interpreter_lock() -> None:
+    for name, call in calls_that_take_long().items():
+        assert counted_beside(call) > 0, name
 
 
 def test_plan_does_not_hold_the_interpreter_lock() -> None:

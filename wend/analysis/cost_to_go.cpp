@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "wend/base/deadline.hpp"
 #include "wend/base/large_pages.hpp"
 #include "wend/planner/grid/cost_field.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
@@ -130,15 +131,22 @@ class GrowingGrid {
   std::vector<Value> values_;
 };
 
+SearchOutcome outcome_of(const DeadlineCheck& stop) {
+  return stop.deadline()->status() == Status::cancelled ? SearchOutcome::cancelled
+                                                        : SearchOutcome::time_limit;
+}
+
 template <class Field>
 SearchOutcome fill(Field field, const FreeSpace& space, std::span<const Cell> goals,
-                   const Limits& limits, const FieldParts& parts) {
-  const SearchOutcome outcome = field.run(goals, limits);
+                   const Deadline& deadline, const FieldParts& parts) {
+  const SearchOutcome outcome = field.run(goals, deadline.left());
   parts.metrics = field.metrics();
   if (outcome != SearchOutcome::exhausted) return outcome;
   GrowingGrid<double> costs(space.width(), space.height());
   GrowingGrid<std::uint8_t> policy(space.width(), space.height());
+  DeadlineCheck stop(&deadline);
   for (int y = 0; y < space.height(); ++y) {
+    if (stop.now()) return outcome_of(stop);
     for (int x = 0; x < space.width(); ++x) {
       const auto at = static_cast<std::size_t>(x);
       costs.row()[at] = field.cost({x, y});
@@ -155,37 +163,42 @@ SearchOutcome fill(Field field, const FreeSpace& space, std::span<const Cell> go
 /// In nodes of 64 bits, or wide ones if these do not do.
 template <class Word, class Units, class WideUnits>
 Status fill_by(const FreeSpace& space, const CostGrid<Word>& grid, std::span<const Cell> goals,
-               const Limits& limits, const FieldParts& parts) {
+               const Deadline& deadline, const FieldParts& parts) {
   SearchOutcome outcome =
-      fill(CostField<std::uint64_t, Word, Units>(grid), space, goals, limits, parts);
+      fill(CostField<std::uint64_t, Word, Units>(grid), space, goals, deadline, parts);
   if (outcome == SearchOutcome::cost_overflow) {
-    outcome = fill(CostField<WideFieldNumber, Word, WideUnits>(grid), space, goals, limits, parts);
+    outcome =
+        fill(CostField<WideFieldNumber, Word, WideUnits>(grid), space, goals, deadline, parts);
   }
   return outcome == SearchOutcome::exhausted ? Status::found : status_of(outcome);
 }
 
 template <class Word>
 std::optional<Status> fill_fast(const FreeSpace& space, std::span<const Cell> goals,
-                                GridMoves moves, const Limits& limits, const FieldParts& parts) {
-  const CostGrid<Word> grid(space, moves);
+                                GridMoves moves, const Deadline& deadline,
+                                const FieldParts& parts) {
+  DeadlineCheck stop(&deadline);
+  const CostGrid<Word> grid(space, moves, stop);
+  if (stop.has_passed()) return deadline.status();
   if (!CostField<std::uint64_t, Word, CostUnits>::suits(grid)) return std::nullopt;
   if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
     if (space.uniform_terrain()) {
       return fill_by<Word, OctileUnits<std::uint32_t>, OctileUnits<std::uint64_t>>(
-          space, grid, goals, limits, parts);
+          space, grid, goals, deadline, parts);
     }
   }
-  return fill_by<Word, CostUnits, CostUnits>(space, grid, goals, limits, parts);
+  return fill_by<Word, CostUnits, CostUnits>(space, grid, goals, deadline, parts);
 }
 
 /// Nothing if the fast way does not suit the map.
 std::optional<Status> fill_fast(const FreeSpace& space, std::span<const Cell> goals,
-                                GridMoves moves, const Limits& limits, const FieldParts& parts) {
+                                GridMoves moves, const Deadline& deadline,
+                                const FieldParts& parts) {
   if (sweeps_diagonals(space, moves)) return std::nullopt;
   if (!CostGrid<std::uint32_t>::holds(space.costs())) {
-    return fill_fast<std::uint64_t>(space, goals, moves, limits, parts);
+    return fill_fast<std::uint64_t>(space, goals, moves, deadline, parts);
   }
-  return fill_fast<std::uint32_t>(space, goals, moves, limits, parts);
+  return fill_fast<std::uint32_t>(space, goals, moves, deadline, parts);
 }
 
 Unexpected<PlanFailure> failed(Status status, const SearchMetrics& metrics = {}) {
@@ -203,7 +216,7 @@ Expected<CostToGo, PlanFailure> CostToGo::make(const FreeSpace& space, std::span
                        [&](Cell goal) { return space.passable(goal); });
   const FieldParts parts{field.costs_, field.policy_, field.metrics_};
   Status status = Status::found;
-  if (const auto fast = fill_fast(space, usable, moves, limits, parts)) {
+  if (const auto fast = fill_fast(space, usable, moves, Deadline(limits), parts)) {
     status = *fast;
   } else if (space.uniform_terrain()) {
     UniformField search(ExactGrid(space, moves), {});

@@ -45,6 +45,12 @@ Deadline Deadline::without_cancel() const {
   return other;
 }
 
+Deadline Deadline::later(double seconds) const {
+  Deadline other = *this;
+  other.end_ += seconds;
+  return other;
+}
+
 std::string Deadline::text() const {
   return cancelled() ? "cancelled" : "stopped after " + format_number(limits_.seconds) + " s";
 }

@@ -35,6 +35,8 @@ class WEND_API Deadline {
   Limits left() const;
   /// The same without the cancel flag.
   Deadline without_cancel() const;
+  /// The same, but that time ends some seconds later.
+  Deadline later(double seconds) const;
   /// "stopped after 0.01 s" or "cancelled".
   std::string text() const;
 
@@ -45,9 +47,16 @@ class WEND_API Deadline {
   double end_ = std::numeric_limits<double>::infinity();
 };
 
-/// Asks a deadline now and then, for loops over cells; once it has passed, it stays so.
+/// Asks a deadline now and then, for loops over cells; once it has passed, it stays so. What such a loop was to make is
+/// incomplete if has_passed() afterwards, and of no use.
 class DeadlineCheck {
  public:
+  /// One that never passes. Threads may share it.
+  static DeadlineCheck& never() {
+    static DeadlineCheck shared;
+    return shared;
+  }
+
   /// The deadline must outlive it; null: it never passes.
   explicit DeadlineCheck(const Deadline* deadline = nullptr)
       : deadline_(deadline != nullptr && deadline->bounded() ? deadline : nullptr) {}
@@ -63,6 +72,8 @@ class DeadlineCheck {
     if (deadline_ != nullptr && !passed_) passed_ = deadline_->passed();
     return passed_;
   }
+  /// Has it said that a loop must end?
+  bool has_passed() const { return passed_; }
   /// The deadline; null if it never passes.
   const Deadline* deadline() const { return deadline_; }
 

@@ -39,6 +39,21 @@ class Lazy {
     return *value_;  // NOLINT(bugprone-unchecked-optional-access): it has been made
   }
 
+  /// The same where make() may give up: it returns an optional. Null if it did; then nothing has been made.
+  template <class Make>
+  const T* try_get(Make&& make) const {
+    if (!made()) {
+      const MutexLock lock(mutex_);
+      if (!value_) {
+        auto made = std::forward<Make>(make)();
+        if (!made) return nullptr;
+        value_.emplace(*std::move(made));
+        made_.store(true, std::memory_order_release);
+      }
+    }
+    return &*value_;
+  }
+
   /// Has the value been made?
   bool made() const { return made_.load(std::memory_order_acquire); }
 

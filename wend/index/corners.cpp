@@ -13,12 +13,15 @@ std::size_t word_of(const BitGrid& bits, Cell cell) {
 
 }  // namespace
 
-Corners::Corners(BitGrid passable)
+Corners::Corners(BitGrid passable, const IndexBuilding& building)
     : passable_(std::move(passable)), bits_(passable_.width(), passable_.height()) {
-  for (const Cell cell : every_cell(passable_)) {
-    if (!passable_[cell] || jump_directions(passable_.block(cell)) == 0) continue;
-    bits_.set(cell, true);
-    cells_.push_back(cell);
+  for (int y = 0; y < passable_.height() && !building.cancelled(); ++y) {
+    for (int x = 0; x < passable_.width(); ++x) {
+      const Cell cell{x, y};
+      if (!passable_[cell] || jump_directions(passable_.block(cell)) == 0) continue;
+      bits_.set(cell, true);
+      cells_.push_back(cell);
+    }
   }
   std::uint32_t before = 0;
   for (int y = 0; y < passable_.height(); ++y) {

@@ -13,6 +13,7 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
+#include "wend/index/index_building.hpp"
 #include "wend/map/bit_grid.hpp"
 
 namespace wend {
@@ -58,7 +59,7 @@ class Corners {
   static constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
 
   /// O(cells). Keeps the board.
-  explicit Corners(BitGrid passable);
+  explicit Corners(BitGrid passable, const IndexBuilding& building = {});
 
   const BitGrid& passable() const { return passable_; }
 

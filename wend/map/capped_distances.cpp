@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "wend/map/grid_within.hpp"
+
 namespace wend {
 namespace {
 
@@ -57,14 +59,14 @@ class CappedDistances::Window {
 
   /// Calls take(y, row) with the squared distances of every row of the window, the last one first.
   template <class Take>
-  void run(Take&& take) {
+  void run(Take&& take, DeadlineCheck& stop = DeadlineCheck::never()) {
     start();
-    for (int y = cells_.begin.y - cap_; y < cells_.end.y; ++y) {
+    for (int y = cells_.begin.y - cap_; y < cells_.end.y && !stop.now(); ++y) {
       go_to_row(y);
       if (y >= cells_.begin.y) std::ranges::copy(running_, column_row(y).begin());
     }
     start();
-    for (int y = cells_.end.y - 1 + cap_; y >= cells_.begin.y; --y) {
+    for (int y = cells_.end.y - 1 + cap_; y >= cells_.begin.y && !stop.now(); --y) {
       go_to_row(y);
       if (y < cells_.end.y) take(y, squared_row(y));
     }
@@ -156,17 +158,22 @@ class CappedDistances::Window {
   std::vector<Count> columns_;  // what running_ was, going down
 };
 
-CappedDistances::CappedDistances(const BitGrid& blocked, bool edge_counts, int cap)
-    : cap_(cap), edge_counts_(edge_counts), squared_(blocked.width(), blocked.height()) {
+CappedDistances::CappedDistances(const BitGrid& blocked, bool edge_counts, int cap,
+                                 DeadlineCheck& stop)
+    : cap_(cap),
+      edge_counts_(edge_counts),
+      squared_(grid_within<Squared>(blocked.width(), blocked.height(), 0, stop)) {
   assert(cap >= 1 && cap <= kLargestCap);
   constexpr int kCellsOfBand = 1 << 20;  // what a cache holds
   const int rows = std::max(kCellsOfBand / std::max(blocked.width(), 1), 4 * cap);
-  for (int begin = 0; begin < blocked.height(); begin += rows) {
+  for (int begin = 0; begin < blocked.height() && !stop.has_passed(); begin += rows) {
     const int end = std::min(begin + rows, blocked.height());
     Window window(blocked, edge_counts, cap, {{0, begin}, {blocked.width(), end}});
-    window.run([&](int y, std::span<const Squared> row) {
-      std::ranges::copy(row, squared_.row(y).begin());
-    });
+    window.run(
+        [&](int y, std::span<const Squared> row) {
+          std::ranges::copy(row, squared_.row(y).begin());
+        },
+        stop);
   }
 }
 
@@ -190,10 +197,11 @@ CellBox CappedDistances::repair(const BitGrid& blocked, const CellBox& edited) {
   return changed.empty() ? CellBox{} : changed;
 }
 
-void CappedDistances::select(std::uint32_t least, const CellBox& box, BitGrid& cells) const {
+void CappedDistances::select(std::uint32_t least, const CellBox& box, BitGrid& cells,
+                             DeadlineCheck& stop) const {
   assert(least <= far());
   const auto threshold = static_cast<Squared>(least);
-  for (int y = box.begin.y; y < box.end.y; ++y) {
+  for (int y = box.begin.y; y < box.end.y && !stop.now(); ++y) {
     const auto values = squared_.row(y).subspan(static_cast<std::size_t>(box.begin.x),
                                                 static_cast<std::size_t>(box.width()));
     assign_row(cells.row_words(y), box.begin.x, values,

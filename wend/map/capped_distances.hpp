@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "wend/base/deadline.hpp"
 #include "wend/geometry/cell_box.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
@@ -24,7 +25,8 @@ class CappedDistances {
   /// The distances from the centre of each cell to the nearest closed square of a set cell of `blocked`,
   /// or to the edge of the map if it counts. The cap is from 1 to kLargestCap. O(cells) and, where
   /// obstacles are far, O(cells * cap / 8).
-  CappedDistances(const BitGrid& blocked, bool edge_counts, int cap);
+  CappedDistances(const BitGrid& blocked, bool edge_counts, int cap,
+                  DeadlineCheck& stop = DeadlineCheck::never());
 
   /// Are there no cells?
   bool empty() const { return squared_.empty(); }
@@ -44,7 +46,8 @@ class CappedDistances {
 
   /// Sets the bits in a box of the map: of the cells whose squared distance, in half-cells, is at least
   /// `least`, which is at most far().
-  void select(std::uint32_t least, const CellBox& box, BitGrid& cells) const;
+  void select(std::uint32_t least, const CellBox& box, BitGrid& cells,
+              DeadlineCheck& stop = DeadlineCheck::never()) const;
 
   friend bool operator==(const CappedDistances&, const CappedDistances&) = default;
 

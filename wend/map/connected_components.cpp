@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "wend/map/disjoint_sets.hpp"
 
@@ -36,15 +38,26 @@ struct CornerPairs {
 
 }  // namespace
 
-ConnectedComponents::ConnectedComponents(const BitGrid& cells)
+ConnectedComponents::ConnectedComponents(const BitGrid& cells, DeadlineCheck& stop)
     : columns_(cells.row_words(0).size()),
       rows_((static_cast<std::size_t>(cells.height()) + kSize - 1) / kSize),
       tiles_(columns_ * rows_) {
-  for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+  for (std::size_t tile = 0; tile < tiles_.size() && !stop.now(); ++tile) {
     tiles_[tile].label_cells(words_of(cells, tile % columns_, tile / columns_));
   }
-  for (std::size_t tile = 0; tile < tiles_.size(); ++tile) link_to_next(tile);
+  for (std::size_t tile = 0; tile < tiles_.size() && !stop.now(); ++tile) link_to_next(tile);
   count_labels();
+}
+
+bool ConnectedComponents::prepare(Adjacency adjacency, DeadlineCheck& stop) const {
+  const auto unless_stopped = [&](Numbers made) -> std::optional<Numbers> {
+    if (stop.has_passed()) return std::nullopt;
+    return made;
+  };
+  const auto edges = [&] { return unless_stopped(joined_over_edges(stop)); };
+  if (joined_.try_get(edges) == nullptr) return false;
+  if (adjacency == Adjacency::edges) return true;
+  return merged_.try_get([&] { return unless_stopped(joined_over_corners(stop)); }) != nullptr;
 }
 
 void ConnectedComponents::repair(const BitGrid& cells, const CellBox& box) {
@@ -89,9 +102,9 @@ void ConnectedComponents::count_labels() {
   }
 }
 
-ConnectedComponents::Numbers ConnectedComponents::joined_over_edges() const {
+ConnectedComponents::Numbers ConnectedComponents::joined_over_edges(DeadlineCheck& stop) const {
   DisjointSets sets(labels_);
-  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+  for (std::size_t i = 0; i < tiles_.size() && !stop.now(); ++i) {
     const ComponentTile& tile = tiles_[i];
     const auto join = [&](const ComponentTile::Links& links, std::size_t next) {
       for (const auto& [from, to] : links) {
@@ -102,6 +115,7 @@ ConnectedComponents::Numbers ConnectedComponents::joined_over_edges() const {
     join(tile.above(), i + columns_);
   }
   Numbers numbers;
+  if (stop.has_passed()) return numbers;
   numbers.of_label = sets.numbered();
   for (std::uint32_t& number : numbers.of_label) ++number;
   for (const ComponentTile& tile : tiles_) {
@@ -115,7 +129,7 @@ ConnectedComponents::Numbers ConnectedComponents::joined_over_edges() const {
   return numbers;
 }
 
-ConnectedComponents::Numbers ConnectedComponents::joined_over_corners() const {
+ConnectedComponents::Numbers ConnectedComponents::joined_over_corners(DeadlineCheck& stop) const {
   const Numbers& edges = numbers(Adjacency::edges);
   DisjointSets sets(static_cast<std::uint32_t>(edges.sizes.size()));
   // A cell by the tile of a word and a bit counted from there, which may be the next tile's first.
@@ -124,7 +138,7 @@ ConnectedComponents::Numbers ConnectedComponents::joined_over_corners() const {
     const std::uint32_t label = tile.label_at(y % kSize, bit % kSize);
     return edges.of_label[tile.first_label() + label];
   };
-  for (std::size_t y = 0; y + 1 < rows_ * kSize; ++y) {
+  for (std::size_t y = 0; y + 1 < rows_ * kSize && !stop.now(); ++y) {
     const auto word = [&](std::size_t column, std::size_t row) {
       return column < columns_ ? tiles_[row / kSize * columns_ + column].words()[row % kSize] : 0;
     };

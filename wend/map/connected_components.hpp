@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/lazy.hpp"
 #include "wend/geometry/cell_box.hpp"
 #include "wend/map/bit_grid.hpp"
@@ -36,7 +37,10 @@ class WEND_API ConnectedComponents {
   ConnectedComponents() = default;
 
   /// The components of the set cells. O(cells / 64 + runs).
-  explicit ConnectedComponents(const BitGrid& cells);
+  explicit ConnectedComponents(const BitGrid& cells, DeadlineCheck& stop = DeadlineCheck::never());
+
+  /// Does now what the first question with this adjacency would do. False if the deadline passed before.
+  bool prepare(Adjacency adjacency, DeadlineCheck& stop) const;
 
   /// The same for `cells`, which differ only in a box of the map. O(rows of its tiles + runs there).
   void repair(const BitGrid& cells, const CellBox& box);
@@ -79,14 +83,16 @@ class WEND_API ConnectedComponents {
            (static_cast<std::size_t>(cell.x) + 1) / 64;
   }
   const Numbers& numbers(Adjacency adjacency) const {
-    if (adjacency == Adjacency::edges) return joined_.get([this] { return joined_over_edges(); });
-    return merged_.get([this] { return joined_over_corners(); });
+    if (adjacency == Adjacency::edges) {
+      return joined_.get([this] { return joined_over_edges(DeadlineCheck::never()); });
+    }
+    return merged_.get([this] { return joined_over_corners(DeadlineCheck::never()); });
   }
 
   void link_to_next(std::size_t tile);
   void count_labels();
-  Numbers joined_over_edges() const;
-  Numbers joined_over_corners() const;
+  Numbers joined_over_edges(DeadlineCheck& stop) const;
+  Numbers joined_over_corners(DeadlineCheck& stop) const;
 
   std::size_t columns_ = 0;  // of tiles: the words of a row
   std::size_t rows_ = 0;

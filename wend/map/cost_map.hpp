@@ -18,6 +18,7 @@
 #include <span>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/map/grid.hpp"
 
@@ -43,20 +44,21 @@ class WEND_API CostMap {
 
   /// Takes `steps_of(cell)`, at least kOne, for each cell of a map. Calls it at most twice for a cell.
   template <class StepsOf>
-  CostMap(int width, int height, StepsOf&& steps_of) : width_(width), height_(height) {
+  CostMap(int width, int height, StepsOf&& steps_of, DeadlineCheck& stop = DeadlineCheck::never())
+      : width_(width), height_(height) {
     std::uint32_t most = kOne;
-    for (int y = 0; y < height; ++y) {
+    for (int y = 0; y < height && !stop.now(); ++y) {
       for (int x = 0; x < width; ++x) {
         const std::uint32_t steps = steps_of(Cell{x, y});
         most = steps > most ? steps : most;
         dear_ += steps == kOne ? 0 : 1;
       }
     }
-    if (dear_ == 0) return;
+    if (dear_ == 0 || stop.has_passed()) return;
     if (most <= kMostNarrow) {
-      fill(narrow_ = Grid<std::uint16_t>(width, height), steps_of);
+      fill(narrow_ = Grid<std::uint16_t>(width, height), steps_of, stop);
     } else {
-      fill(wide_ = Grid<std::uint32_t>(width, height), steps_of);
+      fill(wide_ = Grid<std::uint32_t>(width, height), steps_of, stop);
     }
   }
 
@@ -100,8 +102,8 @@ class WEND_API CostMap {
   static constexpr std::uint32_t kMostNarrow = std::numeric_limits<std::uint16_t>::max();
 
   template <class Steps, class StepsOf>
-  static void fill(Grid<Steps>& grid, StepsOf& steps_of) {
-    for (int y = 0; y < grid.height(); ++y) {
+  static void fill(Grid<Steps>& grid, StepsOf& steps_of, DeadlineCheck& stop) {
+    for (int y = 0; y < grid.height() && !stop.now(); ++y) {
       const auto row = grid.row(y);
       for (int x = 0; x < grid.width(); ++x) {
         row[static_cast<std::size_t>(x)] = static_cast<Steps>(steps_of(Cell{x, y}));

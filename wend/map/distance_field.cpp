@@ -6,6 +6,7 @@
 #include <limits>
 #include <ranges>
 
+#include "wend/map/grid_within.hpp"
 #include "wend/map/row_runs.hpp"
 
 namespace wend {
@@ -32,16 +33,16 @@ void count_on(std::span<const std::uint64_t> blocked_words, std::span<const Cell
 }
 
 /// Distance of every cell to the nearest blocked cell of its own column.
-Grid<CellCount> column_distances(const BitGrid& blocked) {
+Grid<CellCount> column_distances(const BitGrid& blocked, DeadlineCheck& stop) {
   const int height = blocked.height();
-  Grid<CellCount> distances(blocked.width(), height);
+  auto distances = grid_within<CellCount>(blocked.width(), height, 0, stop);
   const std::vector<CellCount> far(static_cast<std::size_t>(blocked.width()), kFar);
   std::span<const CellCount> above = far;
-  for (int y = 0; y < height; ++y) {
+  for (int y = 0; y < height && !stop.now(); ++y) {
     count_on(blocked.row_words(y), above, distances.row(y));
     above = distances.row(y);
   }
-  for (int y = height - 2; y >= 0; --y) {
+  for (int y = height - 2; y >= 0 && !stop.now(); --y) {
     const auto row = distances.row(y);
     const auto below = distances.row(y + 1);
     for (std::size_t x = 0; x < row.size(); ++x) {
@@ -132,11 +133,12 @@ double distance_in_cells(std::uint32_t squared_half_cells) {
   return std::sqrt(static_cast<double>(squared_half_cells)) / 2;
 }
 
-Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked) {
-  const Grid<CellCount> in_column = column_distances(blocked);
-  Grid<std::uint32_t> squared(blocked.width(), blocked.height(), kNoObstacle);
+Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked, DeadlineCheck& stop) {
+  const Grid<CellCount> in_column = column_distances(blocked, stop);
+  if (stop.has_passed()) return {};
+  auto squared = grid_within(blocked.width(), blocked.height(), kNoObstacle, stop);
   std::vector<Column> envelope;
-  for (int y = 0; y < blocked.height(); ++y) {
+  for (int y = 0; y < blocked.height() && !stop.now(); ++y) {
     nearest_columns(in_column.row(y), envelope);
     const auto row = squared.row(y);
     std::size_t end = row.size();

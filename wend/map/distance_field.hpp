@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "wend/base/deadline.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
 
@@ -25,7 +26,8 @@ double distance_in_cells(std::uint32_t squared_half_cells);
 ///
 /// O(cells): two passes, columns and then rows, as in A. Meijster, J. Roerdink and W. Hesselink, "A
 /// General Algorithm for Computing Distance Transforms in Linear Time", 2000.
-Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked);
+Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked,
+                                                DeadlineCheck& stop = DeadlineCheck::never());
 
 /// The same for one cell, at most `most`. Adds the number of words that it reads to `words`. O(rows that are
 /// nearer than the result, times their words).

@@ -87,16 +87,28 @@ Expected<std::vector<CellBox>, Error> Obstacles::edit(const MapEdit& edit) {
   return boxes_around(std::move(changed));
 }
 
-const Grid<std::uint32_t>& Obstacles::squared_half_cell_clearance() const {
-  return data_->clearance.get([this] {
-    Grid<std::uint32_t> clearance = squared_half_cell_distances(blocked());
-    if (outside() == OutsidePolicy::free) return clearance;
-    for (const Cell cell : every_cell(clearance)) {
-      std::uint32_t& here = clearance[cell];
-      here = std::min(here, squared_half_cells_to_edge(blocked(), cell));
+Grid<std::uint32_t> Obstacles::clearance_of_all(DeadlineCheck& stop) const {
+  Grid<std::uint32_t> clearance = squared_half_cell_distances(blocked(), stop);
+  if (outside() == OutsidePolicy::free) return clearance;
+  for (int y = 0; y < clearance.height() && !stop.now(); ++y) {
+    for (int x = 0; x < clearance.width(); ++x) {
+      std::uint32_t& here = clearance[{x, y}];
+      here = std::min(here, squared_half_cells_to_edge(blocked(), {x, y}));
     }
-    return clearance;
-  });
+  }
+  return clearance;
+}
+
+const Grid<std::uint32_t>& Obstacles::squared_half_cell_clearance() const {
+  return data_->clearance.get([this] { return clearance_of_all(DeadlineCheck::never()); });
+}
+
+bool Obstacles::make_clearance(DeadlineCheck& stop) const {
+  return data_->clearance.try_get([&]() -> std::optional<Grid<std::uint32_t>> {
+    auto made = clearance_of_all(stop);
+    if (stop.has_passed()) return std::nullopt;
+    return made;
+  }) != nullptr;
 }
 
 std::uint32_t Obstacles::squared_half_cell_clearance(Cell cell, std::uint32_t most) const {

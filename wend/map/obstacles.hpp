@@ -20,6 +20,7 @@
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/copy_on_write.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/lazy.hpp"
 #include "wend/map/bit_grid.hpp"
@@ -80,6 +81,8 @@ class WEND_API Obstacles {
   /// The same for all cells. Made when it is first asked for, in O(cells), once for all threads; takes 4 bytes
   /// for each cell.
   const Grid<std::uint32_t>& squared_half_cell_clearance() const;
+  /// Makes them now, if nobody has. False if the deadline passed before.
+  bool make_clearance(DeadlineCheck& stop) const;
 
   /// Changes cells of the map; other copies keep what they were. Fails as GridMap::edit() does. Returns boxes
   /// that contain the cells that are blocked otherwise than before, or may cost otherwise: none where an unknown
@@ -90,6 +93,8 @@ class WEND_API Obstacles {
   bool edge_is_nearest(Cell cell) const;
 
  private:
+  Grid<std::uint32_t> clearance_of_all(DeadlineCheck& stop) const;
+
   struct Data {
     GridMap map;
     UnknownPolicy unknown;

@@ -31,14 +31,14 @@ void drive_to(std::vector<Pose>& poses, const Pose& pose) {
   if (!same) poses.push_back(pose);
 }
 
-Path rounded(std::vector<Point> points, const FreeSpace& space, double window,
-             Adjacency adjacency) {
+Path rounded(std::vector<Point> points, const FreeSpace& space, double window, Adjacency adjacency,
+             DeadlineCheck& stop) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() == 1) return Path::through({displaced(points.front(), 0, 0)});
   std::vector<Pose> poses;
   double heading = Line{points[0], points[1]}.heading();
   drive_to(poses, displaced(points[0], heading, 0));
-  for (std::size_t i = 2; i < points.size(); ++i) {
+  for (std::size_t i = 2; i < points.size() && !stop.now(); ++i) {
     const Corner corner(points[i - 2], points[i - 1], points[i]);
     const Point at = points[i - 1];
     const double next = Line{at, points[i]}.heading();
@@ -67,13 +67,19 @@ Path rounded(std::vector<Point> points, const FreeSpace& space, double window,
 }  // namespace
 
 Expected<Path, Error> rounded_corners(const Path& path, const FreeSpace& space, double window,
-                                      Adjacency adjacency) {
+                                      Adjacency adjacency, const Deadline& deadline) {
   if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
   if (auto fault = fault_of_length("corner_rounding", window)) {
     return Unexpected<Error>(*std::move(fault));
   }
-  return path.visit([&](const JoinedPoses&) { return path; },
-                    [&](const auto&) { return rounded(path.points(), space, window, adjacency); });
+  DeadlineCheck stop(&deadline);
+  Path curve = path.visit(
+      [&](const JoinedPoses&) { return path; },
+      [&](const auto&) { return rounded(path.points(), space, window, adjacency, stop); });
+  if (stop.has_passed()) {
+    return failure(deadline.status(), deadline.text() + ", before the path's corners were rounded");
+  }
+  return curve;
 }
 
 }  // namespace wend

@@ -9,6 +9,7 @@
 // Each corner becomes the widest arc that stays within a window of it (Corner, path_metrics.hpp).
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/error.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/path/path.hpp"
@@ -20,9 +21,11 @@ namespace wend {
 /// (>= 0). The robot fits along every arc: a corner whose arc would touch something remains, with a
 /// turn in place, and so does a corner where the path turns back. So do all with a window of 0. A
 /// path of poses is returned unchanged. Fails as fault_of() does (path_fault.hpp), and with invalid_option for a
-/// window that is not finite or negative. O(n) arcs, each as fits_along().
+/// window that is not finite or negative; with time_limit or cancelled if the deadline passes before it is done. O(n)
+/// arcs, each as fits_along().
 WEND_API Expected<Path, Error> rounded_corners(const Path& path, const FreeSpace& space,
                                                double window,
-                                               Adjacency adjacency = Adjacency::edges);
+                                               Adjacency adjacency = Adjacency::edges,
+                                               const Deadline& deadline = {});
 
 }  // namespace wend

@@ -36,15 +36,17 @@ std::size_t stride_over(std::size_t count) {
   return stride;
 }
 
-/// The distance from a point to the nearest line, or any that is not above `enough`. Begins at the line that `begin`
+/// The distance from a point to the nearest line, or any that is not above `enough`; once it must stop, to some point on
+/// them. Begins at the line that `begin`
 /// names, and goes on to both sides.
-double distance_to(const std::vector<Point>& looks, Point point, std::size_t begin, double enough) {
+double distance_to(const std::vector<Point>& looks, Point point, std::size_t begin, double enough,
+                   DeadlineCheck& stop) {
   double least = distance(looks[begin], point);
   const auto look_at = [&](std::size_t i) {
     least = std::min(least, distance(Line{looks[i], looks[i + 1]}, point));
   };
   const std::size_t lines = looks.size() - 1;
-  for (std::size_t off = 0; off <= lines && least > enough; ++off) {
+  for (std::size_t off = 0; off <= lines && least > enough && !stop(); ++off) {
     if (begin + off < lines) look_at(begin + off);
     if (off > 0 && off <= begin) look_at(begin - off);
   }
@@ -52,12 +54,13 @@ double distance_to(const std::vector<Point>& looks, Point point, std::size_t beg
 }
 
 /// The largest distance from a point of one to the other, or `most` if that is more.
-double farther_than(double most, const std::vector<Point>& from, const std::vector<Point>& to) {
+double farther_than(double most, const std::vector<Point>& from, const std::vector<Point>& to,
+                    DeadlineCheck& stop) {
   const std::size_t stride = stride_over(from.size());
   std::size_t i = 0;
   for (std::size_t looked = 0; looked < from.size(); ++looked) {
     const std::size_t begin = i * to.size() / from.size();
-    most = std::max(most, distance_to(to, from[i], begin, most));
+    most = std::max(most, distance_to(to, from[i], begin, most, stop));
     i = (i + stride) % from.size();
   }
   return most;
@@ -65,10 +68,11 @@ double farther_than(double most, const std::vector<Point>& from, const std::vect
 
 }  // namespace
 
-double largest_distance(const Path& a, const Path& b) {
+double largest_distance(const Path& a, const Path& b, const Deadline& deadline) {
+  DeadlineCheck stop(&deadline);
   const auto looks_a = looks_along(polyline_of(a));
   const auto looks_b = looks_along(polyline_of(b));
-  return farther_than(farther_than(0, looks_a, looks_b), looks_b, looks_a);
+  return farther_than(farther_than(0, looks_a, looks_b, stop), looks_b, looks_a, stop);
 }
 
 }  // namespace wend

@@ -13,14 +13,15 @@ namespace wend {
 namespace {
 
 Expected<Path, Error> simplified_by(const Simplification& simplify, const Path& path,
-                                    const FreeSpace& space, Adjacency adjacency) {
+                                    const FreeSpace& space, Adjacency adjacency,
+                                    const Deadline& deadline) {
   switch (simplify.by) {
     case SimplifyBy::collinear:
       return without_collinear(path);
     case SimplifyBy::tolerance:
-      return simplified(path, simplify.tolerance, space, adjacency);
+      return simplified(path, simplify.tolerance, space, adjacency, deadline);
     case SimplifyBy::sight:
-      return string_pulled(path, space, adjacency);
+      return string_pulled(path, space, adjacency, deadline);
   }
   return path;
 }
@@ -59,14 +60,14 @@ SmoothingResult smoothed_evenly(SmootherChoice choice, const Path& path, const F
   Path even = path;
   double cut = 0;
   if (!path.driven() && !path.of_steps()) {
-    auto resampling = resampled(path, 1, space, adjacency);
+    auto resampling = resampled(path, 1, space, adjacency, deadline);
     if (!resampling) return Unexpected<Error>(std::move(resampling).error());
     even = *std::move(resampling);
-    cut = largest_distance(path, even);
+    cut = largest_distance(path, even, deadline);
   }
   if (max_distance) bind(choice, *max_distance - cut);
   auto smoothed = smoothed_by(choice, even, space, adjacency, deadline);
-  if (smoothed) smoothed->distance = largest_distance(path, smoothed->path);
+  if (smoothed) smoothed->distance = largest_distance(path, smoothed->path, deadline);
   return smoothed;
 }
 
@@ -89,7 +90,7 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
   Refined refined{path};
   if (refinement.simplify) {
     if (auto stopped = stopped_before("simplified", deadline)) return Unexpected<Error>(*stopped);
-    auto simplified = simplified_by(*refinement.simplify, path, space, adjacency);
+    auto simplified = simplified_by(*refinement.simplify, path, space, adjacency, deadline);
     if (!simplified) return Unexpected<Error>(std::move(simplified).error());
     refined.path = *std::move(simplified);
   }
@@ -103,7 +104,7 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
     refined.smoothing = *std::move(smoothed);
   }
   if (refinement.spacing) {
-    auto even = resampled(refined.path, *refinement.spacing, space, adjacency);
+    auto even = resampled(refined.path, *refinement.spacing, space, adjacency, deadline);
     if (!even) return Unexpected<Error>(std::move(even).error());
     refined.path = *std::move(even);
   }

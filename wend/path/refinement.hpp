@@ -65,7 +65,7 @@ struct Refined {
 /// Lines are smoothed as points about a cell apart, however far apart or near to each other they are given.
 /// Errors are those of simplification, of the smoother and of resampling; unsupported_query for a drive that is to be
 /// simplified, and for a path with a fault (path_fault.hpp), even if nothing is done with it. time_limit or cancelled
-/// if the deadline passed before a stage began; one that passes meanwhile ends smoothing early (Smoothed::stopped).
+/// if the deadline passes before; but smoothing only ends early then (Smoothed::stopped).
 WEND_API Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
                                           const Refinement& refinement,
                                           const Deadline& deadline = {});

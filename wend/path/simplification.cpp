@@ -23,14 +23,16 @@ namespace {
 /// A point nearer to a line than this lies on it: rounding.
 constexpr double kOnLine = 1e-9;  // cells
 
-/// Which shortcuts are free.
+/// Which shortcuts are free. None, once the deadline has passed.
 class Sight {
  public:
-  Sight(const FreeSpace& space, Adjacency adjacency) : space_(space), adjacency_(adjacency) {}
+  Sight(const FreeSpace& space, Adjacency adjacency, const Deadline& deadline)
+      : space_(space), adjacency_(adjacency), stop_(&deadline) {}
 
   /// At every heading, so that the robot can turn anywhere. Points in gaps have no line of sight:
   /// whether a gap is free depends on where the path comes from.
   bool operator()(Point a, Point b) const {
+    if (stop_.now()) return false;
     const bool gaps_matter = space_.radius_in_cells() == 0 && adjacency_ == Adjacency::edges;
     if (gaps_matter && (in_gap(space_, a) || in_gap(space_, b))) return false;
     return disc_fits_along(space_, Line{a, b}, adjacency_);
@@ -41,13 +43,18 @@ class Sight {
   bool operator()(const Line& line, std::optional<double> arrival,
                   std::optional<double> departure) const {
     if ((*this)(line.from, line.to)) return true;
-    if (!space_.outline() || line.length() == 0) return false;
+    if (!space_.outline() || line.length() == 0 || stop_.has_passed()) return false;
     const double heading = line.heading();
     return fits_along(space_, line) && turns(line.from, arrival, heading) &&
            turns(line.to, heading, departure);
   }
 
   bool has_shape() const { return space_.outline() != nullptr; }
+
+  /// Has the deadline passed now?
+  bool look() const { return stop_.now(); }
+  /// Must who asks end? What it has made is of no use then.
+  bool stopped() const { return stop_.has_passed(); }
 
  private:
   bool turns(Point at, std::optional<double> before, std::optional<double> after) const {
@@ -56,7 +63,12 @@ class Sight {
 
   const FreeSpace& space_;
   Adjacency adjacency_;
+  mutable DeadlineCheck stop_;
 };
+
+Unexpected<Error> stopped_while(const char* stage, const Deadline& deadline) {
+  return failure(deadline.status(), deadline.text() + ", before the path was " + stage);
+}
 
 /// Does a line go straight on, from b to c, in the direction in which it left a for `second`? All
 /// its points are held to one direction, so that many small bends are not lost one by one.
@@ -202,9 +214,9 @@ std::optional<Error> fault_of_spacing(double length, double spacing) {
                "spacing"};
 }
 
-Path resampled_drive(const JoinedPoses& drive, double spacing) {
+Path resampled_drive(const JoinedPoses& drive, double spacing, DeadlineCheck& stop) {
   std::vector<Pose> divided{drive.poses().front()};
-  for (std::size_t i = 0; i < drive.segment_count(); ++i) {
+  for (std::size_t i = 0; i < drive.segment_count() && !stop.now(); ++i) {
     const Segment segment = drive.segment(i);
     const int pieces = pieces_of(std::abs(segment.length), spacing);
     for (int k = 1; k < pieces; ++k) {
@@ -220,7 +232,7 @@ Path resampled_lines(const Polyline& line, double spacing, const Sight& sight) {
   const int pieces = line.length() > 0 ? pieces_of(line.length(), spacing) : 0;
   Way way{{line.points().front()}};
   double last = 0;
-  for (int i = 1; i <= pieces; ++i) {
+  for (int i = 1; i <= pieces && !sight.stopped(); ++i) {
     const double next = line.length() * i / pieces;
     const Point point = i == pieces ? line.points().back() : line.at(next).point();
     const auto departure = i == pieces ? std::nullopt : std::optional(line.at(next).heading);
@@ -258,18 +270,18 @@ Expected<Path, Error> without_collinear(const Path& path) {
 }
 
 Expected<Path, Error> simplified(const Path& path, double tolerance, const FreeSpace& space,
-                                 Adjacency adjacency) {
+                                 Adjacency adjacency, const Deadline& deadline) {
   if (auto fault = fault_of_lines(path, fault_of(path, space))) {
     return Unexpected<Error>(*std::move(fault));
   }
   if (auto fault = fault_of_length("tolerance", tolerance)) {
     return Unexpected<Error>(*std::move(fault));
   }
-  const Sight sight(space, adjacency);
+  const Sight sight(space, adjacency, deadline);
   const std::vector<Point> points = path.points();
   Way way{{points.front()}};
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
-  while (!open.empty()) {
+  while (!open.empty() && !sight.stopped()) {
     const auto [first, last] = open.back();
     open.pop_back();
     if (last <= first + 1) {
@@ -278,6 +290,7 @@ Expected<Path, Error> simplified(const Path& path, double tolerance, const FreeS
     }
     const std::size_t farthest = farthest_from_line(points, first, last);
     const Line line{points[first], points[last]};
+    if (sight.look()) break;
     if (distance(line, points[farthest]) <= tolerance &&
         sight(line, way.heading, departure_from(points, last))) {
       way.go_to(points[last]);
@@ -286,34 +299,41 @@ Expected<Path, Error> simplified(const Path& path, double tolerance, const FreeS
       open.emplace_back(first, farthest);
     }
   }
+  if (sight.stopped()) return stopped_while("simplified", deadline);
   return Path::along(std::move(way.points));
 }
 
-Expected<Path, Error> string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency) {
+Expected<Path, Error> string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency,
+                                    const Deadline& deadline) {
   if (auto fault = fault_of_lines(path, fault_of(path, space))) {
     return Unexpected<Error>(*std::move(fault));
   }
-  const Sight sight(space, adjacency);
+  const Sight sight(space, adjacency, deadline);
   const std::vector<Point> points = path.points();
   // Each way alone leaves corners behind itself; the shortest of both mixed has the fewest.
   const std::vector<std::size_t> forwards = pulled_forwards(points, sight);
   const std::vector<std::size_t> backwards = pulled_backwards(points, sight);
   std::vector<std::size_t> candidates;
   std::ranges::set_union(forwards, backwards, std::back_inserter(candidates));
-  const std::vector<Point> pulled = shortest_through(candidates, points, sight);
-  return Path::along(sight.has_shape() ? pulled_by_shape(pulled, sight) : pulled);
+  std::vector<Point> pulled = shortest_through(candidates, points, sight);
+  if (sight.has_shape()) pulled = pulled_by_shape(pulled, sight);
+  if (sight.stopped()) return stopped_while("simplified", deadline);
+  return Path::along(std::move(pulled));
 }
 
 Expected<Path, Error> resampled(const Path& path, double spacing, const FreeSpace& space,
-                                Adjacency adjacency) {
+                                Adjacency adjacency, const Deadline& deadline) {
   if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
   if (auto fault = fault_of_spacing(path.length(), spacing)) {
     return Unexpected<Error>(*std::move(fault));
   }
-  const Sight sight(space, adjacency);
-  return path.visit(
-      [&](const JoinedPoses& drive) { return resampled_drive(drive, spacing); },
-      [&](const auto&) { return resampled_lines(polyline_of(path), spacing, sight); });
+  const Sight sight(space, adjacency, deadline);
+  DeadlineCheck stop(&deadline);
+  Path points =
+      path.visit([&](const JoinedPoses& drive) { return resampled_drive(drive, spacing, stop); },
+                 [&](const auto&) { return resampled_lines(polyline_of(path), spacing, sight); });
+  if (sight.stopped() || stop.has_passed()) return stopped_while("resampled", deadline);
+  return points;
 }
 
 }  // namespace wend

@@ -9,12 +9,13 @@
 //   if (!fewer || !taut) return report("the path cannot be simplified");
 //
 // Paths have cells or waypoints; a car's path can only be resampled. All functions fail with unsupported_query for
-// another path and for one with a fault (path_fault.hpp), and with invalid_option for a length out of range. Lengths
-// are in cells.
+// another path and for one with a fault (path_fault.hpp), with invalid_option for a length out of range, and with
+// time_limit or cancelled where a deadline passes before they are done. Lengths are in cells.
 
 #include <cstdint>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/error.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/path/path.hpp"
@@ -30,13 +31,15 @@ WEND_API Expected<Path, Error> without_collinear(const Path& path);
 /// it is split on. O(n^2) at worst.
 WEND_API Expected<Path, Error> simplified(const Path& path, double tolerance,
                                           const FreeSpace& space,
-                                          Adjacency adjacency = Adjacency::edges);
+                                          Adjacency adjacency = Adjacency::edges,
+                                          const Deadline& deadline = {});
 
 /// From point to point of the path as far as sight leads, the swept disc fitting through, forwards and
 /// backwards; of the points at which it bends either way the shortest way. Then, for a polygon, once more
 /// forwards, its own shape fitting through. Never longer than the path. O(bends log n) sights tested.
 WEND_API Expected<Path, Error> string_pulled(const Path& path, const FreeSpace& space,
-                                             Adjacency adjacency = Adjacency::edges);
+                                             Adjacency adjacency = Adjacency::edges,
+                                             const Deadline& deadline = {});
 
 /// No path is resampled to more points than these.
 inline constexpr std::uint64_t kMostResampled = 1'000'000;
@@ -45,6 +48,7 @@ inline constexpr std::uint64_t kMostResampled = 1'000'000;
 /// them the path's own points stay where the straight line is not free. Of a drive: its arcs divided.
 /// invalid_option for a spacing of more than kMostResampled points, too.
 WEND_API Expected<Path, Error> resampled(const Path& path, double spacing, const FreeSpace& space,
-                                         Adjacency adjacency = Adjacency::edges);
+                                         Adjacency adjacency = Adjacency::edges,
+                                         const Deadline& deadline = {});
 
 }  // namespace wend

@@ -64,9 +64,11 @@ bool goes_on(const MapSegment& before, const MapSegment& after) {
 }
 
 /// The segments of a path in metres, without those that go nowhere.
-std::vector<MapSegment> segments_in_metres(const Path& path, const Frame& frame) {
+std::vector<MapSegment> segments_in_metres(const Path& path, const Frame& frame,
+                                           DeadlineCheck& stop) {
   std::vector<MapSegment> segments;
   for (const Segment& segment : path.segments()) {
+    if (stop()) break;
     segments.emplace_back(frame.to_metres(segment.from), segment.length * frame.resolution,
                           segment.turn, segment.course);
   }
@@ -90,8 +92,8 @@ std::vector<MapSegment> with_corners(std::span<const MapSegment> lines) {
 }
 
 /// What a robot drives along a path, in metres.
-std::vector<MapSegment> driven_segments(const Path& path, const Frame& frame) {
-  std::vector<MapSegment> segments = segments_in_metres(path, frame);
+std::vector<MapSegment> driven_segments(const Path& path, const Frame& frame, DeadlineCheck& stop) {
+  std::vector<MapSegment> segments = segments_in_metres(path, frame, stop);
   return path.visit([&](const JoinedPoses&) { return std::move(segments); },
                     [&](const auto&) { return with_corners(segments); });
 }
@@ -123,19 +125,23 @@ double fastest_on(double curvature, const TrajectoryLimits& limits) {
 }
 
 Expected<Trajectory, Error> Trajectory::along(const Path& path, const Frame& frame,
-                                              const TrajectoryLimits& limits) {
+                                              const TrajectoryLimits& limits,
+                                              const Deadline& deadline) {
   if (auto fault = fault_of(limits)) return Unexpected<Error>(*std::move(fault));
   if (auto fault = wend::fault_of(path)) return Unexpected<Error>(*std::move(fault));
+  DeadlineCheck stop(&deadline);
   Trajectory trajectory;
   trajectory.limits_ = limits;
-  trajectory.segments_ = driven_segments(path, frame);
+  trajectory.segments_ = driven_segments(path, frame, stop);
   const std::vector<MapSegment>& segments = trajectory.segments_;
   trajectory.start_ = frame.to_metres(path.poses().front());
   trajectory.end_ = segments.empty() ? trajectory.start_ : end_of(segments.back());
   const std::vector<double> squared = squared_speeds(segments, limits);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
+  for (std::size_t i = 0; i < segments.size() && !stop(); ++i) {
     trajectory.drive(i, squared[i], squared[i + 1]);
   }
+  if (stop.now())
+    return failure(deadline.status(), deadline.text() + ", before the path was timed");
   const MapPose& end = trajectory.end_;
   if (!std::isfinite(trajectory.duration_ + end.x + end.y + end.heading)) {
     return failure(

@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/map_pose.hpp"
@@ -97,10 +98,11 @@ class WEND_API Trajectory {
 
   /// The fastest trajectory along a path, which is in grid coordinates; `frame` is its map's. The path
   /// is not checked for collisions. Errors: invalid_option for a limit that is not finite or not
-  /// greater than 0, unsupported_query for a path with a fault (path_fault.hpp) or too long to be timed.
-  /// O(segments).
+  /// greater than 0, unsupported_query for a path with a fault (path_fault.hpp) or too long to be timed, time_limit or
+  /// cancelled if the deadline passes before it is done. O(segments).
   static Expected<Trajectory, Error> along(const Path& path, const Frame& frame,
-                                           const TrajectoryLimits& limits = {});
+                                           const TrajectoryLimits& limits = {},
+                                           const Deadline& deadline = {});
 
   /// A trajectory from another source, through poses with time stamps, from the first stamp on. Between
   /// two poses the robot drives their shortest segment at a constant speed, or waits if they are equal.

@@ -123,11 +123,16 @@ PlannerResult make_before(const PlannerInfo& info, const FreeSpace& space,
                           const OptionValues& options, const Deadline& deadline) {
   if (!info.index_support) {
     if (!info.make_within) return info.make(space, options);
-    auto made = info.make_within(space, options, deadline);
+    // What is nearly ready is finished, so that the next call has it.
+    constexpr double kSecondsToFinish = 0.01;
+    const bool soon = info.preprocessing == Preprocessing::none;
+    auto made =
+        info.make_within(space, options, soon ? deadline.later(kSecondsToFinish) : deadline);
     if (!made && is_stopped(made.error().status))
       return Unexpected<Error>(not_ready(info, deadline));
     return made;
   }
+  if (deadline.passed()) return Unexpected<Error>(not_ready(info, deadline));
   IndexBuilding building;
   building.deadline = &deadline;
   auto index = info.index_support->build(space, building);

@@ -76,16 +76,19 @@ double CellCosts::computed_factor(std::uint32_t clearance) const {
 }
 
 Expected<CostMap, Error> cell_costs(const Obstacles& obstacles, const CappedDistances& distances,
-                                    const CellCosts& costs) {
+                                    const CellCosts& costs, DeadlineCheck& stop) {
   const GridMap& map = obstacles.map();
   if (map.uniform_terrain() && !costs.raise()) return CostMap(map.width(), map.height());
   const Clearances clearance(obstacles, distances, costs);
   std::optional<Cell> dear;
-  CostMap made(map.width(), map.height(), [&](Cell cell) {
-    const std::uint32_t steps = costs.steps(map.terrain(cell), clearance[cell]);
-    if (steps == CostMap::kMost && !dear) dear = cell;
-    return steps;
-  });
+  CostMap made(
+      map.width(), map.height(),
+      [&](Cell cell) {
+        const std::uint32_t steps = costs.steps(map.terrain(cell), clearance[cell]);
+        if (steps == CostMap::kMost && !dear) dear = cell;
+        return steps;
+      },
+      stop);
   if (dear) {
     return Unexpected<Error>(too_dear(*dear, map.terrain(*dear) * costs.factor(clearance[*dear])));
   }

@@ -68,7 +68,8 @@ class CellCosts {
 /// The costs of all cells, or the error of a cell that costs more than can be stored. The distances are as far
 /// as the robot needs them, or empty: then those of the obstacles are used. O(cells).
 Expected<CostMap, Error> cell_costs(const Obstacles& obstacles, const CappedDistances& distances,
-                                    const CellCosts& costs);
+                                    const CellCosts& costs,
+                                    DeadlineCheck& stop = DeadlineCheck::never());
 
 /// Computes the costs in a box of the map again. None of them may be more than can be stored. O(cells of the
 /// box).

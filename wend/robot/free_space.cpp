@@ -40,16 +40,17 @@ double least_for_inner_disc(const Robot& robot, const Obstacles& obstacles) {
 /// Sets the bits in a box of the map: of the cells whose clearance is large enough. Every cell that is not
 /// blocked has a clearance of 1.
 void select_cells(const Obstacles& obstacles, const CappedDistances& distances, double least,
-                  const CellBox& box, BitGrid& cells) {
+                  const CellBox& box, BitGrid& cells,
+                  DeadlineCheck& stop = DeadlineCheck::never()) {
   const std::uint32_t threshold = threshold_of(least);
   if (threshold <= 1) {
     cells.assign_complement(obstacles.blocked(), box);
   } else if (!distances.empty()) {
-    distances.select(threshold, box, cells);
-  } else {
+    distances.select(threshold, box, cells, stop);
+  } else if (obstacles.make_clearance(stop)) {
     const auto& clearance = obstacles.squared_half_cell_clearance();
     const auto width = static_cast<std::size_t>(box.width());
-    for (int y = box.begin.y; y < box.end.y; ++y) {
+    for (int y = box.begin.y; y < box.end.y && !stop.now(); ++y) {
       const auto row = clearance.row(y).subspan(static_cast<std::size_t>(box.begin.x), width);
       assign_row(cells.row_words(y), box.begin.x, row,
                  [threshold](std::uint32_t here) { return here >= threshold; });
@@ -58,9 +59,9 @@ void select_cells(const Obstacles& obstacles, const CappedDistances& distances, 
 }
 
 BitGrid cells_with_clearance(const Obstacles& obstacles, const CappedDistances& distances,
-                             double least) {
+                             double least, DeadlineCheck& stop) {
   BitGrid cells(obstacles.map().width(), obstacles.map().height());
-  select_cells(obstacles, distances, least, CellBox::of(cells), cells);
+  select_cells(obstacles, distances, least, CellBox::of(cells), cells, stop);
   return cells;
 }
 
@@ -82,11 +83,11 @@ bool needs_all_distances(const Obstacles& obstacles, const Robot& robot) {
   return reach_of(obstacles.map().frame().resolution, robot) > CappedDistances::kLargestCap;
 }
 
-CappedDistances distances_for(const Obstacles& obstacles, const Robot& robot) {
+CappedDistances distances_for(const Obstacles& obstacles, const Robot& robot, DeadlineCheck& stop) {
   const double reach = reach_of(obstacles.map().frame().resolution, robot);
   if (reach == 0 || needs_all_distances(obstacles, robot)) return {};
   return {obstacles.blocked(), obstacles.outside() == OutsidePolicy::blocked,
-          static_cast<int>(reach)};
+          static_cast<int>(reach), stop};
 }
 
 std::optional<Error> fault_of(const Robot& robot) {
@@ -103,6 +104,20 @@ std::optional<Error> fault_of(const Robot& robot) {
   }
   if (!valid(robot.clearance_cost)) return wrong("clearance_cost", robot.clearance_cost);
   return std::nullopt;
+}
+
+/// Are the distances there that costs need? They are made unless the deadline passes.
+bool can_know_costs(const Obstacles& obstacles, const CappedDistances& distances,
+                    const CellCosts& costs, DeadlineCheck& stop) {
+  return !costs.raise() || !distances.empty() || obstacles.make_clearance(stop);
+}
+
+Unexpected<Error> not_ready(const Deadline& deadline) {
+  return failure(
+      deadline.status(),
+      deadline.text() +
+          ", before the free space of the map was ready: it is made once for a map and a "
+          "robot; make it without a limit");
 }
 
 }  // namespace
@@ -139,23 +154,41 @@ Expected<FreeSpace, Error> make_free_space(GridMap map, const FreeSpaceOptions& 
   return make_free_space(Obstacles(std::move(map), options.obstacles()), std::move(robot));
 }
 
-Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot) {
+Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot,
+                                           const Deadline& deadline) {
   if (auto fault = fault_of(robot)) return Unexpected<Error>(*std::move(fault));
-  FreeSpace space(std::move(obstacles), std::move(robot));
+  DeadlineCheck stop(&deadline);
+  FreeSpace space(std::move(obstacles), std::move(robot), stop);
+  if (stop.has_passed()) return not_ready(deadline);
   FreeSpace::Data& data = space.data_.change();
-  auto costs = cell_costs(data.obstacles, data.distances, *data.cell_costs);
+  if (!can_know_costs(data.obstacles, data.distances, *data.cell_costs, stop))
+    return not_ready(deadline);
+  auto costs = cell_costs(data.obstacles, data.distances, *data.cell_costs, stop);
+  if (stop.has_passed()) return not_ready(deadline);
   if (!costs) return Unexpected<Error>(std::move(costs).error());
   data.costs = *std::move(costs);
   return space;
 }
 
-FreeSpace::Data::Data(Obstacles its_obstacles, Robot its_robot)
+bool FreeSpace::make_components(Adjacency adjacency, const Deadline& deadline) const {
+  DeadlineCheck stop(&deadline);
+  const ConnectedComponents* const made =
+      data_->components.try_get([&]() -> std::optional<ConnectedComponents> {
+        std::optional<ConnectedComponents> components(std::in_place, passable(), stop);
+        if (stop.has_passed()) components.reset();
+        return components;
+      });
+  return made != nullptr && made->prepare(adjacency, stop);
+}
+
+FreeSpace::Data::Data(Obstacles its_obstacles, Robot its_robot, DeadlineCheck& stop)
     : obstacles(std::move(its_obstacles)),
       robot(std::move(its_robot)),
       least_squared_half_cells(least_squared_half_cells_of(robot, obstacles)),
       cell_costs(std::make_shared<const CellCosts>(robot, obstacles.map().frame().resolution)),
-      distances(distances_for(obstacles, robot)),
-      passable(cells_with_clearance(obstacles, distances, least_squared_half_cells)) {
+      distances(distances_for(obstacles, robot, stop)),
+      passable(cells_with_clearance(obstacles, distances, least_squared_half_cells, stop)) {
+  if (stop.has_passed()) return;
   const double resolution = obstacles.map().frame().resolution;
   if (robot.footprint.outline()) {
     outline = robot.footprint.outline()->scaled(1 / resolution);
@@ -165,20 +198,26 @@ FreeSpace::Data::Data(Obstacles its_obstacles, Robot its_robot)
       ring.emplace(hypotenuse(centre.x, centre.y) / resolution, BasePlace::middle);
       inner_disc_cells = possible;
     }
-    select_possible(CellBox::of(passable));
+    select_possible(CellBox::of(passable), stop);
   }
 }
 
 /// Finds the possible cells after a change in a box.
-void FreeSpace::Data::select_possible(const CellBox& box) {
+void FreeSpace::Data::select_possible(const CellBox& box, DeadlineCheck& stop) {
   const double least = least_for_inner_disc(robot, obstacles);
   if (!ring) {
-    select_cells(obstacles, distances, least, box, possible);
+    select_cells(obstacles, distances, least, box, possible, stop);
     return;
   }
-  select_cells(obstacles, distances, least, box, inner_disc_cells);
-  ring->spread(inner_disc_cells, obstacles.outside() == OutsidePolicy::free,
-               box.grown_by(ring->reach()).clipped_to(possible), possible);
+  select_cells(obstacles, distances, least, box, inner_disc_cells, stop);
+  if (stop.has_passed()) return;
+  const CellBox reached = box.grown_by(ring->reach()).clipped_to(possible);
+  constexpr int kRowsAtOnce = 64;
+  for (int y = reached.begin.y; y < reached.end.y && !stop.now(); y += kRowsAtOnce) {
+    const CellBox band{{reached.begin.x, y},
+                       {reached.end.x, std::min(y + kRowsAtOnce, reached.end.y)}};
+    ring->spread(inner_disc_cells, obstacles.outside() == OutsidePolicy::free, band, possible);
+  }
 }
 
 CellBox FreeSpace::Data::repair(const CellBox& edited) {

@@ -42,6 +42,7 @@
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/copy_on_write.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/lazy.hpp"
 #include "wend/geometry/pose.hpp"
@@ -219,6 +220,8 @@ class WEND_API FreeSpace {
   const ConnectedComponents& components() const {
     return data_->components.get([this] { return ConnectedComponents(passable()); });
   }
+  /// Makes them now, and prepares them for questions with this adjacency. False if the deadline passed before.
+  bool make_components(Adjacency adjacency, const Deadline& deadline) const;
 
   /// What planners have prepared for this space, a SpaceAttachment of type T: make() makes it when somebody first
   /// asks for it, as a std::shared_ptr, and copies of the space share it, also between threads. An edit in place
@@ -240,10 +243,10 @@ class WEND_API FreeSpace {
   Expected<SpaceChange, Error> edit(const MapEdit& edit);
 
  private:
-  friend Expected<FreeSpace, Error> make_free_space(Obstacles, Robot);
+  friend Expected<FreeSpace, Error> make_free_space(Obstacles, Robot, const Deadline&);
 
-  FreeSpace(Obstacles obstacles, Robot robot)
-      : data_(std::in_place, std::move(obstacles), std::move(robot)) {}
+  FreeSpace(Obstacles obstacles, Robot robot, DeadlineCheck& stop)
+      : data_(std::in_place, std::move(obstacles), std::move(robot), stop) {}
 
   BlockReason reason_in(Cell blocked) const;
   bool can_repair(const MapEdit& edit) const;
@@ -263,13 +266,13 @@ class WEND_API FreeSpace {
     Lazy<ConnectedComponents> components = {};
     SpaceAttachments attachments = {};
 
-    Data(Obstacles its_obstacles, Robot its_robot);
+    Data(Obstacles its_obstacles, Robot its_robot, DeadlineCheck& stop);
     /// Computes what follows from a box of cells in which the map has changed. Returns the box in which
     /// anything may have changed.
     CellBox repair(const CellBox& edited);
 
    private:
-    void select_possible(const CellBox& box);
+    void select_possible(const CellBox& box, DeadlineCheck& stop = DeadlineCheck::never());
   };
 
   CopyOnWrite<Data> data_;
@@ -281,8 +284,9 @@ class WEND_API FreeSpace {
 WEND_API Expected<FreeSpace, Error> make_free_space(GridMap map,
                                                     const FreeSpaceOptions& options = {});
 
-/// The same on shared obstacles.
-WEND_API Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot);
+/// The same on shared obstacles. Fails with time_limit or cancelled if the deadline passes before the space is ready.
+WEND_API Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot,
+                                                    const Deadline& deadline = {});
 
 /// The cell of the map that contains a point in grid coordinates, if any; nothing for NaN.
 WEND_API std::optional<Cell> cell_under(const FreeSpace& space, Point point);

@@ -44,13 +44,14 @@ std::int64_t outside_by(int coordinate, int size) {
 }  // namespace
 
 std::optional<Cell> nearest_accepted(int width, int height, Cell from,
-                                     const std::function<bool(Cell)>& accepts) {
+                                     const std::function<bool(Cell)>& accepts,
+                                     DeadlineCheck& stop) {
   Nearest nearest(from, accepts);
   const std::int64_t first = std::max(outside_by(from.x, width), outside_by(from.y, height));
   const std::int64_t last =
       std::max({std::abs(std::int64_t{from.x}), std::abs(std::int64_t{width} - from.x),
                 std::abs(std::int64_t{from.y}), std::abs(std::int64_t{height} - from.y)});
-  for (std::int64_t ring = first; ring <= last && nearest.open(ring); ++ring) {
+  for (std::int64_t ring = first; ring <= last && nearest.open(ring) && !stop.now(); ++ring) {
     // The part of the square ring that lies on the map: whole rows above and below, and between them
     // the first and the last column.
     const std::int64_t left = from.x - ring;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
@@ -18,8 +19,10 @@ WEND_API std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
                                               std::optional<Cell> connected_to = std::nullopt,
                                               Adjacency adjacency = Adjacency::edges);
 
-/// The same among the cells of a grid that `accepts` accepts; it is asked only about cells of the grid.
+/// The same among the cells of a grid that `accepts` accepts; it is asked only about cells of the grid. Not the nearest
+/// one if the deadline passes before.
 WEND_API std::optional<Cell> nearest_accepted(int width, int height, Cell from,
-                                              const std::function<bool(Cell)>& accepts);
+                                              const std::function<bool(Cell)>& accepts,
+                                              DeadlineCheck& stop = DeadlineCheck::never());
 
 }  // namespace wend

@@ -24,8 +24,8 @@ std::vector<Goal> goals_near_a_map(const Query& query) {
 /// The accepted cells whose middles are nearest to a point, and how far they are. `most` bounds the distance.
 template <class Accept>
 double add_nearest(const FreeSpace& space, Point point, double most, const Accept& accepts,
-                   std::vector<Cell>& cells) {
-  const auto one = nearest_accepted(space.width(), space.height(), cell_at(point), accepts);
+                   std::vector<Cell>& cells, DeadlineCheck& stop) {
+  const auto one = nearest_accepted(space.width(), space.height(), cell_at(point), accepts, stop);
   if (!one) return kAnywhere;
   // From the middle of the point's cell another one may be nearer.
   const double reach = std::min(distance(centre_of(*one), point), most) + kClosestRounding;
@@ -35,7 +35,7 @@ double add_nearest(const FreeSpace& space, Point point, double most, const Accep
                   std::min(space.height() - 1, static_cast<int>(std::ceil(point.y + reach)))};
   double least = reach;
   const auto first = static_cast<std::ptrdiff_t>(cells.size());
-  for (int y = low.y; y <= high.y; ++y) {
+  for (int y = low.y; y <= high.y && !stop.now(); ++y) {
     for (int x = low.x; x <= high.x; ++x) {
       const double away = distance(centre_of(Cell{x, y}), point);
       if (away > least + kClosestRounding || !accepts({x, y})) continue;
@@ -50,8 +50,8 @@ double add_nearest(const FreeSpace& space, Point point, double most, const Accep
 /// Searches with a planner whose states have headings.
 class ClosestPose {
  public:
-  ClosestPose(Planner& planner, const Query& query)
-      : planner_(planner), query_(query), asked_(goals_near_a_map(query)) {
+  ClosestPose(Planner& planner, const Query& query, const Deadline& deadline)
+      : planner_(planner), query_(query), asked_(goals_near_a_map(query)), stop_(&deadline) {
     query_.observer = nullptr;
     query_.on_solution = {};
   }
@@ -61,18 +61,20 @@ class ClosestPose {
     if (try_within(0) || !(most > 0)) return places();
     double low = 0;
     double next = std::max(least_distance(), kClosestRounding);
+    if (stop_.now()) return std::nullopt;
     const double farthest = std::min(most, distance_to_goals(query_.start.point(), asked_) + 2);
     // What the inscribed disc reaches is most often the answer; else it grows until something is found, and shrinks
     // to half a cell.
     while (next <= farthest + kClosestRounding) {
       if (try_within(next)) break;
+      if (stop_.now()) return std::nullopt;
       low = next;
       if (next >= farthest) return std::nullopt;
       next = std::min(farthest, 1.5 * next + 1);
     }
     const bool on_lattice = planner_.place_of(kOffLattice) != kOffLattice;
     const double precision = on_lattice ? kOnLattice : kPrecision;
-    while (found_ && *found_ - low > precision && low > 0) {
+    while (found_ && *found_ - low > precision && low > 0 && !stop_.now()) {
       const double middle = (low + *found_) / 2;
       if (!try_within(middle)) low = middle;
     }
@@ -123,9 +125,10 @@ class ClosestPose {
   }
 
   /// No place is nearer: the planner has none there, or its inscribed disc cannot come there.
-  double least_distance() const {
+  double least_distance() {
     const FreeSpace& space = planner_.free_space();
-    const ConnectedComponents parts(space.possible());
+    const ConnectedComponents parts(space.possible(), stop_);
+    if (!parts.prepare(Adjacency::edges_and_corners, stop_)) return kAnywhere;
     const auto start = cell_under(space, query_.start.point());
     double least = kAnywhere;
     for (const Goal& goal : asked_) {
@@ -138,7 +141,7 @@ class ClosestPose {
         const auto reaches = [&](Cell cell) {
           return parts.connected(cell, *start, Adjacency::edges_and_corners);
         };
-        const double connected = add_nearest(space, goal.point, kAnywhere, reaches, cells);
+        const double connected = add_nearest(space, goal.point, kAnywhere, reaches, cells, stop_);
         away = std::max(away, connected - beside);
       }
       least = std::min(least, away);
@@ -149,6 +152,7 @@ class ClosestPose {
   Planner& planner_;
   Query query_;
   std::vector<Goal> asked_;
+  DeadlineCheck stop_;
   Plan plan_;
   std::optional<double> found_;
   double tolerance_ = 0;
@@ -163,8 +167,9 @@ double distance_to_goals(Point point, const std::vector<Goal>& goals) {
   return least;
 }
 
-std::optional<ClosestPlaces> closest_cells(const Planner& planner, const Query& query,
-                                           double most) {
+std::optional<ClosestPlaces> closest_cells(const Planner& planner, const Query& query, double most,
+                                           const Deadline& deadline) {
+  DeadlineCheck stop(&deadline);
   const FreeSpace& space = planner.free_space();
   const auto start = cell_under(space, query.start.point());
   const auto moves = planner.grid_moves();
@@ -177,13 +182,13 @@ std::optional<ClosestPlaces> closest_cells(const Planner& planner, const Query& 
   std::vector<Cell> cells;
   for (const Goal& goal : goals_near_a_map(query)) {
     std::vector<Cell> near;
-    const double away = add_nearest(space, goal.point, least, reaches, near);
+    const double away = add_nearest(space, goal.point, least, reaches, near, stop);
     if (away > least + kClosestRounding) continue;
     if (away < least - kClosestRounding) cells.clear();
     least = away;
     cells.insert(cells.end(), near.begin(), near.end());
   }
-  if (cells.empty()) return std::nullopt;
+  if (cells.empty() || stop.has_passed()) return std::nullopt;
   std::ranges::sort(cells, {}, [](Cell cell) { return std::pair(cell.y, cell.x); });
   const auto repeated = std::ranges::unique(cells);
   cells.erase(repeated.begin(), repeated.end());
@@ -192,9 +197,10 @@ std::optional<ClosestPlaces> closest_cells(const Planner& planner, const Query& 
   return places;
 }
 
-std::optional<ClosestPlaces> closest_places(Planner& planner, const Query& query, double most) {
-  if (planner.grid_moves()) return closest_cells(planner, query, most);
-  return ClosestPose(planner, query).within(most);
+std::optional<ClosestPlaces> closest_places(Planner& planner, const Query& query, double most,
+                                            const Deadline& deadline) {
+  if (planner.grid_moves()) return closest_cells(planner, query, most, deadline);
+  return ClosestPose(planner, query, deadline).within(most);
 }
 
 }  // namespace wend

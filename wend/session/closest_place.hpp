@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "wend/base/deadline.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner.hpp"
 
@@ -22,11 +23,14 @@ struct ClosestPlaces {
 };
 
 /// The closest places for a query whose start the planner accepts, at most `most` cells away from a goal. Nothing if there
-/// are none. O(cells) for a planner on cells, else some searches, each with the limits of the query.
-std::optional<ClosestPlaces> closest_places(Planner& planner, const Query& query, double most);
+/// are none, or the deadline passes before they are found. O(cells) for a planner on cells, else some searches, each with
+/// the limits of the query.
+std::optional<ClosestPlaces> closest_places(Planner& planner, const Query& query, double most,
+                                            const Deadline& deadline = {});
 
 /// The same for a planner on cells, without a search.
-std::optional<ClosestPlaces> closest_cells(const Planner& planner, const Query& query, double most);
+std::optional<ClosestPlaces> closest_cells(const Planner& planner, const Query& query, double most,
+                                           const Deadline& deadline = {});
 
 /// The distance from a point to the nearest of the goals' points, in cells.
 double distance_to_goals(Point point, const std::vector<Goal>& goals);

@@ -138,7 +138,7 @@ bool EasedQuery::ease_goals(Status status) {
                                       : leeway_.nearest_in_cells(units_.frame());
   Query asked = query_;
   asked.goals = asked_goals_;
-  auto places = closest_places(planner_, asked, most);
+  auto places = closest_places(planner_, asked, most, explainer_.deadline());
   if (!places) return false;
   query_.goals = std::move(places->goals);
   goals_eased_ = true;

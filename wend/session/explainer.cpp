@@ -145,8 +145,9 @@ std::string Explainer::nearest_beyond_limit(const Planner& planner, const Query&
   };
   const double anywhere = std::numeric_limits<double>::infinity();
   if (planner.grid_moves()) {
-    const auto closest =
-        status == Status::unreachable ? closest_cells(planner, query, anywhere) : std::nullopt;
+    const auto closest = status == Status::unreachable
+                             ? closest_cells(planner, query, anywhere, deadline_)
+                             : std::nullopt;
     if (!closest) return {};
     return beyond("place that a path reaches", closest->goals.front().point, closest->distance);
   }

@@ -61,6 +61,8 @@ class WEND_API Explainer {
 
   /// When explanations must end: what takes longer is left out, and the sentence says so. Until then: never.
   void stop_at(Deadline deadline) { deadline_ = std::move(deadline); }
+  /// That deadline.
+  const Deadline& deadline() const { return deadline_; }
 
   /// Why a query ended with this status, in one or more sentences. O(cells log cells) if start and goal
   /// are not connected, else O(cells until the nearest free one).

@@ -27,10 +27,10 @@ Query query_of(const PlanRequest& request, const Frame& frame) {
 
 Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
                                        Adjacency adjacency, const TrajectoryLimits& limits,
-                                       double corner_rounding) {
-  const auto rounded = rounded_corners(path, space, corner_rounding, adjacency);
+                                       double corner_rounding, const Deadline& deadline) {
+  const auto rounded = rounded_corners(path, space, corner_rounding, adjacency, deadline);
   if (!rounded) return Unexpected<Error>(rounded.error());
-  return Trajectory::along(*rounded, space.map().frame(), limits);
+  return Trajectory::along(*rounded, space.map().frame(), limits, deadline);
 }
 
 void finish_path(PlanAnswer& answer, const PlanRequest& request, const Path& lead,
@@ -49,7 +49,7 @@ void finish_path(PlanAnswer& answer, const PlanRequest& request, const Path& lea
   if (!lead.empty() && answer.refined) answer.refined->path = joined(lead, answer.refined->path);
   if (!request.trajectory) return;
   auto trajectory = timed_path(answer.path(), answer.space, refinement.adjacency,
-                               *request.trajectory, request.corner_rounding);
+                               *request.trajectory, request.corner_rounding, deadline);
   if (trajectory) {
     answer.trajectory = *std::move(trajectory);
   } else if (!answer.fault) {

@@ -119,6 +119,7 @@ WEND_API void finish_path(PlanAnswer& answer, const PlanRequest& request, const 
 /// they do.
 WEND_API Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
                                                 Adjacency adjacency, const TrajectoryLimits& limits,
-                                                double corner_rounding = kCornerRounding);
+                                                double corner_rounding = kCornerRounding,
+                                                const Deadline& deadline = {});
 
 }  // namespace wend

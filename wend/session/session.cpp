@@ -48,6 +48,13 @@ std::optional<Error> fault_of(const PlanRequest& request, bool steps) {
   return std::nullopt;
 }
 
+// What is nearly ready when the time ends is finished, so that the next call has it.
+constexpr double kSecondsToFinish = 0.01;
+
+bool is_stopped(Status status) {
+  return status == Status::time_limit || status == Status::cancelled;
+}
+
 /// The copy constructor of tl::expected is noexcept: it would end the program where there is no memory.
 Expected<Session::View, Error> copy_of(const Expected<Session::View, Error>& view) {
   if (!view) return Unexpected<Error>(view.error());
@@ -86,7 +93,7 @@ struct Session::State {
     std::uint64_t version;
     std::optional<Obstacles> obstacles;  // of this map, if they are known
 
-    Expected<View, Error> made();
+    Expected<View, Error> made(const Deadline& deadline);
   };
 
   explicit State(SessionOptions chosen)
@@ -111,7 +118,7 @@ struct Session::State {
   Status look_up(const View& view, const Query& query, Cell start, GridMoves moves, Plan& plan);
 
   /// Makes the free space if map or robot have changed. Who needs the same one waits; nobody else does.
-  Expected<View, Error> view();
+  Expected<View, Error> view(const Deadline& deadline = {});
 
   // Called with the lock.
   std::optional<Expected<View, Error>> known_view() const;
@@ -136,9 +143,9 @@ struct Session::State {
   KeptPlan kept;    // the same
 };
 
-Expected<Session::View, Error> Session::State::Parts::made() {
+Expected<Session::View, Error> Session::State::Parts::made(const Deadline& deadline) {
   if (!obstacles) obstacles.emplace(map, robot.obstacles());
-  auto space = make_free_space(*obstacles, robot.robot());
+  auto space = make_free_space(*obstacles, robot.robot(), deadline.later(kSecondsToFinish));
   if (!space) return Unexpected<Error>(std::move(space.error()));
   return View{*std::move(space), frame_id, version};
 }
@@ -149,7 +156,7 @@ std::optional<Expected<Session::View, Error>> Session::State::known_view() const
   return copy_of(*kept_view);
 }
 
-Expected<Session::View, Error> Session::State::view() {
+Expected<Session::View, Error> Session::State::view(const Deadline& deadline) {
   std::shared_ptr<Mutex> turn;
   {
     const MutexLock lock(mutex);
@@ -166,10 +173,10 @@ Expected<Session::View, Error> Session::State::view() {
     parts.emplace(*map, robot, frame_id, version, std::nullopt);
     if (obstacle_options == robot.obstacles()) parts->obstacles = obstacles;
   }
-  auto made = parts->made();
+  auto made = parts->made(deadline);
   const MutexLock lock(mutex);
   if (version == parts->version) {
-    kept_view = copy_of(made);
+    if (made || !is_stopped(made.error().status)) kept_view = copy_of(made);
     obstacles = parts->obstacles;
     obstacle_options = parts->robot.obstacles();
   }
@@ -240,11 +247,13 @@ void Session::set_robot(FreeSpaceOptions robot) {
   state_->forget_view();
 }
 
-Expected<Session::View, Error> Session::view() const { return state_->view(); }
+Expected<Session::View, Error> Session::view(const Deadline& deadline) const {
+  return state_->view(deadline);
+}
 
 Expected<PlanAnswer, RequestFailure> Session::plan(const PlanRequest& request) {
   const Deadline deadline(request.limits);
-  auto seen = view();
+  auto seen = view(deadline);
   if (!seen) return no_plan(std::move(seen.error()));
   return state_->plan(*seen, request, deadline);
 }
@@ -299,6 +308,11 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
   }
   const Leeway leeway = request.leeway();
   if (auto fault = fault_of(leeway)) return no_plan(*std::move(fault));
+  if (deadline.bounded() && moves &&
+      !view.space.make_components(moves->adjacency(), deadline.later(kSecondsToFinish))) {
+    return no_plan(Error{deadline.status(),
+                         deadline.text() + ", before it was known which cells are connected"});
+  }
   Explainer explainer(view.space, units, moves.value_or(GridMoves{}), options.hints);
   explainer.allow(leeway);
   explainer.stop_at(deadline);
@@ -403,7 +417,7 @@ Status Session::State::look_up(const View& view, const Query& query, Cell start,
 
 Expected<PlanAnswer, RequestFailure> Session::replan(const PlanRequest& request) {
   const Deadline deadline(request.limits);
-  auto seen = view();
+  auto seen = view(deadline);
   if (!seen) return no_plan(std::move(seen.error()));
   return state_->replan(*seen, request, deadline);
 }
@@ -426,15 +440,15 @@ Expected<PlanAnswer, RequestFailure> Session::State::replan(const View& view,
 
 Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan_all(
     std::span<const PlanRequest> requests, const PlannerSpec& planner, Workers& workers) {
-  const auto seen = view();
-  if (!seen) return Unexpected<Error>(seen.error());
-  // The planner is made for all of them: the longest of their limits counts.
+  // Space and planner are made for all of them: the longest of their limits counts.
   Deadline preparing;
   if (!requests.empty()) {
     const auto longest = std::ranges::max_element(
         requests, {}, [](const PlanRequest& request) { return request.limits.seconds; });
     preparing = Deadline(longest->limits);
   }
+  const auto seen = view(preparing);
+  if (!seen) return Unexpected<Error>(seen.error());
   auto planners =
       state_->planners.take(seen->space, seen->version, planner, workers.count(), preparing);
   if (!planners) return Unexpected<Error>(std::move(planners.error()));
@@ -450,16 +464,17 @@ Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan
 }
 
 Expected<WarmPlanner, Error> Session::planner(const PlannerSpec& spec, const Deadline& deadline) {
-  const auto seen = view();
+  const auto seen = view(deadline);
   if (!seen) return Unexpected<Error>(seen.error());
   return state_->planners.take(seen->space, seen->version, spec, deadline);
 }
 
 Expected<std::vector<WarmPlanner>, Error> Session::planners(const PlannerSpec& spec,
-                                                            std::size_t count) {
-  const auto seen = view();
+                                                            std::size_t count,
+                                                            const Deadline& deadline) {
+  const auto seen = view(deadline);
   if (!seen) return Unexpected<Error>(seen.error());
-  return state_->planners.take(seen->space, seen->version, spec, count);
+  return state_->planners.take(seen->space, seen->version, spec, count, deadline);
 }
 
 Expected<MapPose, Error> Session::nearest(const MapPose& pose) const {

@@ -24,6 +24,7 @@
 
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/workers.hpp"
 #include "wend/index/index_building.hpp"
@@ -83,12 +84,15 @@ class WEND_API Session {
   void set_robot(FreeSpaceOptions robot);
 
   /// The map and the robot, as plans that begin now see them. Fails with invalid_map if there is no
-  /// map, with invalid_option for an invalid robot.
-  Expected<View, Error> view() const;
+  /// map, with invalid_option for an invalid robot. The free space is made if nobody has; if that is not done before the
+  /// deadline, it fails with time_limit or cancelled, and the next call begins anew. (Who waits for another thread that
+  /// makes it waits as long as that takes.)
+  Expected<View, Error> view(const Deadline& deadline = {}) const;
 
   /// Plans. The message of a failure says where and why, and what would help; its status is that of the
   /// view, of making the planner, or of the query. The limit on time and the cancel flag of the request are of the
-  /// whole call: they also end the making of a planner, an explanation, and the refinement of the path.
+  /// whole call: they also end the making of the free space and of a planner, an explanation, and the refinement of the
+  /// path. To have space and planner ready, call view() and planner() without a limit before.
   Expected<PlanAnswer, RequestFailure> plan(const PlanRequest& request);
   /// The same on a view of this session.
   Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
@@ -128,7 +132,8 @@ class WEND_API Session {
   Expected<WarmPlanner, Error> planner(const PlannerSpec& spec, const Deadline& deadline = {});
 
   /// One for each thread. They share what they prepare.
-  Expected<std::vector<WarmPlanner>, Error> planners(const PlannerSpec& spec, std::size_t count);
+  Expected<std::vector<WarmPlanner>, Error> planners(const PlannerSpec& spec, std::size_t count,
+                                                     const Deadline& deadline = {});
 
   /// The nearest pose with the same heading at which the robot fits, in metres; `pose` itself if it does.
   /// unsupported_query if there is none.

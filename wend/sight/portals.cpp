@@ -7,16 +7,18 @@
 
 namespace wend {
 
-Portals::Portals(const BitGrid& free, const OpenGap& open_gap) : width_(free.width()) {
+Portals::Portals(const BitGrid& free, const OpenGap& open_gap, DeadlineCheck& stop)
+    : width_(free.width()) {
   first_run_.reserve(static_cast<std::size_t>(free.height()) + 1);
-  for (int y = 0; y < free.height(); ++y) {
+  for (int y = 0; y < free.height() && !stop.now(); ++y) {
     first_run_.push_back(static_cast<std::uint32_t>(runs_.size()));
     for_each_run(free.row_words(y), free.width(),
                  [this](const RowRun& run) { runs_.push_back({run.begin, run.end, 0, 0}); });
   }
   first_run_.push_back(static_cast<std::uint32_t>(runs_.size()));
   runs_.push_back({0, 0, 0, 0});  // whose numbers end those of the last run
-  for (int y = 1; y < free.height(); ++y) join_rows(y, open_gap);
+  for (int y = 1; y < free.height() && !stop.now(); ++y) join_rows(y, open_gap);
+  if (stop.has_passed()) return;
   // No run of the first row has portals below it, none of the last one has portals above it.
   const auto end = static_cast<std::uint32_t>(portals_.size());
   for (std::uint32_t i = first_run_[static_cast<std::size_t>(std::max(free.height() - 1, 0))];

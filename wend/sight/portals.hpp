@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/deadline.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/sight/sight_point.hpp"
@@ -70,7 +71,8 @@ class Portals {
   using OpenGap = std::function<bool(Cell, Cell)>;
 
   /// No gap is open if `open_gap` is empty.
-  explicit Portals(const BitGrid& free, const OpenGap& open_gap = {});
+  explicit Portals(const BitGrid& free, const OpenGap& open_gap = {},
+                   DeadlineCheck& stop = DeadlineCheck::never());
 
   int width() const { return width_; }
   int height() const { return static_cast<int>(first_run_.size()) - 1; }

@@ -70,7 +70,10 @@ bool has_too_long_paths(const TautLabelling& labelling) {
 Expected<IndexBytes, Error> build_euclidean_index(const BitGrid& passable,
                                                   const IndexBuilding& building) {
   building.tell(0);
-  const auto portals = std::make_shared<const Portals>(passable);
+  const Deadline flag(Limits{.clock = {}, .cancel = building.cancel});
+  DeadlineCheck stop(building.deadline != nullptr ? building.deadline : &flag);
+  const auto portals = std::make_shared<const Portals>(passable, Portals::OpenGap(), stop);
+  if (building.cancelled()) return cancelled();
   const std::size_t corners = portals->corners().size();
   if (corners > TautLabelSections::kMostCorners) {
     return unsupported("the map has " + std::to_string(corners) +

@@ -177,7 +177,10 @@ Expected<IndexBytes, Error> build_hub_index(const BitGrid& passable,
     return unsupported("a label index is for maps of fewer than 32768 rows and columns");
   }
   building.tell(0);
-  const CornerGraph graph(Corners(passable), building);
+  Corners corners(passable, building);
+  if (building.cancelled()) return cancelled();
+  const CornerGraph graph(std::move(corners), building);
+  if (building.cancelled()) return cancelled();
   const AllFirstCorners first(graph.corners(), building);
   if (building.cancelled()) return cancelled();
   HubLabelling labelling(graph, building);

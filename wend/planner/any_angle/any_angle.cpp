@@ -12,14 +12,17 @@
 namespace wend {
 namespace {
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const ShortestAnyAngleOptions& options) {
+GridPlanner::Parts choose_parts(const FreeSpace& space, const ShortestAnyAngleOptions& options,
+                                DeadlineCheck& stop) {
   const GridMoves moves{Connectivity::eight, options.corner_rule};
   // The robot's own disc decides how near it may come; only a point's shortest path is known.
   const double bound = space.is_point() ? 1 : Plan::kNoBound;
   if (!space.uniform_terrain()) return {moves, nullptr, bound, true};
   const Adjacency adjacency = moves.adjacency();
-  return {moves, std::make_unique<TautEngine>(space, adjacency, PreparedSight::of(space)), bound,
-          true};
+  auto prepared = PreparedSight::of(space);
+  // The engine asks for them again.
+  if (prepared->portals(space, adjacency, stop) == nullptr) return {};
+  return {moves, std::make_unique<TautEngine>(space, adjacency, std::move(prepared)), bound, true};
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ std::shared_ptr<PreparedSight> PreparedSight::of(const FreeSpace& space) {
   return space.attachment<PreparedSight>([] { return std::make_shared<PreparedSight>(); });
 }
 
-std::shared_ptr<const Portals> PreparedSight::portals(const FreeSpace& space, Adjacency adjacency) {
+std::shared_ptr<const Portals> PreparedSight::portals(const FreeSpace& space, Adjacency adjacency,
+                                                      DeadlineCheck& stop) {
   const bool squeezes = adjacency == Adjacency::edges_and_corners;
   const MutexLock lock(mutex_);
   std::shared_ptr<const Portals>& portals = (squeezes ? open_ : closed_).portals;
@@ -18,8 +19,10 @@ std::shared_ptr<const Portals> PreparedSight::portals(const FreeSpace& space, Ad
   const auto is_open = [&](Cell from, Cell to) {
     return disc_fits_along(space, Line{centre_of(from), centre_of(to)}, adjacency);
   };
-  portals = std::make_shared<const Portals>(
-      space.passable(), squeezes ? Portals::OpenGap(is_open) : Portals::OpenGap());
+  auto made = std::make_shared<const Portals>(
+      space.passable(), squeezes ? Portals::OpenGap(is_open) : Portals::OpenGap(), stop);
+  if (stop.has_passed()) return nullptr;
+  portals = std::move(made);
   return portals;
 }
 

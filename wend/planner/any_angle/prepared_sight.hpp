@@ -22,7 +22,9 @@ class PreparedSight final : public SpaceAttachment {
 
   /// A robot passes between two cells that touch diagonally, where the adjacency lets it, if its (circumscribed) disc
   /// fits along the diagonal.
-  std::shared_ptr<const Portals> portals(const FreeSpace& space, Adjacency adjacency);
+  /// Null if the deadline passes before.
+  std::shared_ptr<const Portals> portals(const FreeSpace& space, Adjacency adjacency,
+                                         DeadlineCheck& stop = DeadlineCheck::never());
 
   /// Whether to go on with making a map, of which this share is done.
   using GoesOn = std::function<bool(double share)>;

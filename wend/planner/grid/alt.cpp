@@ -8,35 +8,18 @@
 namespace wend {
 namespace {
 
-GridPlanner::Parts parts_before(const Deadline& deadline, const FreeSpace& space,
-                                const AltOptions& options) {
+GridPlanner::Parts alt_parts(const FreeSpace& space, const AltOptions& options,
+                                DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
   const BestFirst parts{options.moves, kind, 0, 1};
   if (!can_leap(space, parts)) return best_first_parts(space, parts);
-  return leap_parts(space, parts, static_cast<unsigned>(options.landmarks), deadline);
-}
-
-GridPlanner::Parts alt_parts(const FreeSpace& space, const AltOptions& options) {
-  return parts_before({}, space, options);
-}
-
-PlannerResult make_within(const FreeSpace& space, const OptionValues& values,
-                          const Deadline& deadline) {
-  // An update later is not part of this call.
-  const auto within = std::make_shared<const Deadline*>(&deadline);
-  const auto parts = [within](const FreeSpace& other, const AltOptions& options) {
-    return *within == nullptr ? alt_parts(other, options) : parts_before(**within, other, options);
-  };
-  auto planner = grid_planner<AltOptions>({.name = "alt"}, parts).make(space, values);
-  *within = nullptr;
-  if (planner && deadline.passed()) return failure(deadline.status(), deadline.text());
-  return planner;
+  return leap_parts(space, parts, static_cast<unsigned>(options.landmarks), stop);
 }
 
 }  // namespace
 
 PlannerInfo alt_planner() {
-  PlannerInfo info = grid_planner<AltOptions>(
+  return grid_planner<AltOptions>(
       {.name = "alt",
        .summary = "ALT: A* guided by exact costs of landmarks",
        .idea = "The costs from some far cells, the landmarks, to all cells are computed when the "
@@ -60,8 +43,6 @@ PlannerInfo alt_planner() {
        .preprocessing = Preprocessing::quick,
        .capabilities = {.jumps = true, .terrain = true, .resumes = true}},
       alt_parts);
-  info.make_within = make_within;
-  return info;
 }
 
 }  // namespace wend

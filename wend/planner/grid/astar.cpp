@@ -7,14 +7,15 @@
 namespace wend {
 namespace {
 
-GridPlanner::Parts astar_parts(const FreeSpace& space, const AStarOptions& options) {
+GridPlanner::Parts astar_parts(const FreeSpace& space, const AStarOptions& options,
+                                DeadlineCheck& stop) {
   const BestFirst parts{options.moves,
                         resolved(options.heuristic.kind, options.moves.connectivity),
                         options.heuristic.constant,
                         options.weight,
                         options.leaps,
                         options.order};
-  return best_first_parts(space, parts);
+  return best_first_parts(space, parts, stop);
 }
 
 }  // namespace

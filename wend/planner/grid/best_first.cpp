@@ -84,7 +84,8 @@ bool BestFirst::whole() const {
   return consistent() && whole_numbers;
 }
 
-GridPlanner::Parts best_first_parts(const FreeSpace& space, const BestFirst& parts) {
+GridPlanner::Parts best_first_parts(const FreeSpace& space, const BestFirst& parts,
+                                    DeadlineCheck& stop) {
   if (parts.order.chosen()) {
     return {parts.moves,
             make_cheapest_way_engine(space, {.moves = parts.moves,
@@ -96,7 +97,7 @@ GridPlanner::Parts best_first_parts(const FreeSpace& space, const BestFirst& par
             parts.bound()};
   }
   if (!space.uniform_terrain() && parts.leaps && can_leap(space, parts)) {
-    return leap_parts(space, parts);
+    return leap_parts(space, parts, 0, stop);
   }
   return {parts.moves, make_stepping_engine(space, parts), parts.bound()};
 }

@@ -32,6 +32,7 @@ struct BestFirst {
   double bound() const;
 };
 
-GridPlanner::Parts best_first_parts(const FreeSpace& space, const BestFirst& parts);
+GridPlanner::Parts best_first_parts(const FreeSpace& space, const BestFirst& parts,
+                                    DeadlineCheck& stop = DeadlineCheck::never());
 
 }  // namespace wend

@@ -121,7 +121,7 @@ bool CostGrid<Word>::holds(const CostMap& costs) {
 }
 
 template <class Word>
-CostGrid<Word>::CostGrid(const FreeSpace& space, GridMoves moves)
+CostGrid<Word>::CostGrid(const FreeSpace& space, GridMoves moves, DeadlineCheck& stop)
     : width_(space.width()),
       height_(space.height()),
       stride_(stride_for(space.width())),
@@ -133,8 +133,13 @@ CostGrid<Word>::CostGrid(const FreeSpace& space, GridMoves moves)
     offsets_[i] = static_cast<StateId>(kDirectionSteps[i].y) * stride_ +
                   static_cast<StateId>(kDirectionSteps[i].x);
   }
-  words_.resize(std::size_t{stride_} * (static_cast<std::size_t>(space.height()) + 2));
-  compute_words(space, CellBox::of(space), [this](StateId id, int y, Word word) {
+  const std::size_t words = std::size_t{stride_} * (static_cast<std::size_t>(space.height()) + 2);
+  words_.reserve(words);
+  while (words_.size() < words && !stop.now()) {
+    constexpr std::size_t kAtOnce = std::size_t{1} << 18U;
+    words_.resize(std::min(words_.size() + kAtOnce, words));
+  }
+  compute_words(space, CellBox::of(space), stop, [this](StateId id, int y, Word word) {
     words_[id] = word;
     if (one_ != 1 && word != 0) count(y, steps(word));
   });
@@ -147,7 +152,7 @@ void CostGrid<Word>::repair(const FreeSpace& space, const SpaceChange& change) {
   const std::size_t longest = words_.size() / 8 + 1024;
   for (const CellBox& box : change.boxes) {
     const CellBox reached = box.grown_by(1).clipped_to(space);
-    compute_words(space, reached, [this](StateId id, int y, Word word) {
+    compute_words(space, reached, DeadlineCheck::never(), [this](StateId id, int y, Word word) {
       Word& here = words_[id];
       if (here == word) return;
       log_.push_back({id, here});
@@ -172,12 +177,12 @@ void CostGrid<Word>::repair(const FreeSpace& space, const SpaceChange& change) {
 /// Calls store(id, y, word) for each cell of a box.
 template <class Word>
 template <class Store>
-void CostGrid<Word>::compute_words(const FreeSpace& space, const CellBox& box,
+void CostGrid<Word>::compute_words(const FreeSpace& space, const CellBox& box, DeadlineCheck& stop,
                                    Store&& store) const {
   if (one_ == 1) {
-    compute_uniform_words(space.passable(), box, store);
+    compute_uniform_words(space.passable(), box, stop, store);
   } else {
-    compute_dear_words(space, box, store);
+    compute_dear_words(space, box, stop, store);
   }
 }
 
@@ -185,13 +190,13 @@ void CostGrid<Word>::compute_words(const FreeSpace& space, const CellBox& box,
 template <class Word>
 template <class Store>
 void CostGrid<Word>::compute_uniform_words(const BitGrid& passable, const CellBox& box,
-                                           Store&& store) const {
+                                           DeadlineCheck& stop, Store&& store) const {
   std::array<Word, 512> words{};
   for (unsigned block = 0; block < words.size(); ++block) {
     if ((block & kMiddle) == 0) continue;
     words[block] = static_cast<Word>((1U << CostMoves::kKeyBits) | neighbours_in(block));
   }
-  for (int y = box.begin.y; y < box.end.y; ++y) {
+  for (int y = box.begin.y; y < box.end.y && !stop.now(); ++y) {
     StateId id = number({box.begin.x, y});
     for (int x = box.begin.x; x < box.end.x;) {
       PassableWindow window(passable, {x, y});
@@ -204,7 +209,7 @@ void CostGrid<Word>::compute_uniform_words(const BitGrid& passable, const CellBo
 template <class Word>
 template <class Store>
 void CostGrid<Word>::compute_dear_words(const FreeSpace& space, const CellBox& box,
-                                        Store&& store) const {
+                                        DeadlineCheck& stop, Store&& store) const {
   std::array<std::vector<std::uint32_t>, 3> rows;  // with a column more on both sides
   for (auto& row : rows) row.assign(static_cast<std::size_t>(box.width()) + 2, 0);
   const auto read = [&](int y, std::vector<std::uint32_t>& row) {
@@ -224,7 +229,7 @@ void CostGrid<Word>::compute_dear_words(const FreeSpace& space, const CellBox& b
   BlockRange range(box.width());
   read(box.begin.y - 1, rows[1]);
   read(box.begin.y, rows[2]);
-  for (int y = box.begin.y; y < box.end.y; ++y) {
+  for (int y = box.begin.y; y < box.end.y && !stop.now(); ++y) {
     std::rotate(rows.begin(), rows.begin() + 1, rows.end());
     read(y + 1, rows[2]);
     range.read({rows[0].data(), rows[1].data(), rows[2].data()});

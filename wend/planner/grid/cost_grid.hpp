@@ -27,6 +27,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/deadline.hpp"
 #include "wend/base/large_pages.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/cell_box.hpp"
@@ -70,7 +71,7 @@ class CostGrid {
   /// Can the word of a cell hold these costs? O(cells) where a multiplier is 256 or more.
   static bool holds(const CostMap& costs);
 
-  CostGrid(const FreeSpace& space, GridMoves moves);
+  CostGrid(const FreeSpace& space, GridMoves moves, DeadlineCheck& stop = DeadlineCheck::never());
 
   /// Can the grid be repaired to be that of this space, which has the same size?
   bool can_become(const FreeSpace& space) const {
@@ -143,11 +144,14 @@ class CostGrid {
   };
 
   template <class Store>
-  void compute_words(const FreeSpace& space, const CellBox& box, Store&& store) const;
+  void compute_words(const FreeSpace& space, const CellBox& box, DeadlineCheck& stop,
+                     Store&& store) const;
   template <class Store>
-  void compute_uniform_words(const BitGrid& passable, const CellBox& box, Store&& store) const;
+  void compute_uniform_words(const BitGrid& passable, const CellBox& box, DeadlineCheck& stop,
+                             Store&& store) const;
   template <class Store>
-  void compute_dear_words(const FreeSpace& space, const CellBox& box, Store&& store) const;
+  void compute_dear_words(const FreeSpace& space, const CellBox& box, DeadlineCheck& stop,
+                          Store&& store) const;
   void count(int y, std::uint64_t steps);
   void count_row(int y);
   void find_least();

@@ -52,9 +52,11 @@ GridPlanner::Parts parts_on_grid(const std::shared_ptr<CostGrid<Word>>& grid,
 /// that the grid cannot become.
 template <class MakeEngine, class Remake>
 GridPlanner::Parts cost_grid_parts(const FreeSpace& space, const BestFirst& parts,
-                                   MakeEngine&& make_engine, const Remake& remake) {
+                                   MakeEngine&& make_engine, const Remake& remake,
+                                   DeadlineCheck& stop) {
   const auto on = [&]<class Word>() {
-    const auto grid = std::make_shared<CostGrid<Word>>(space, parts.moves);
+    const auto grid = std::make_shared<CostGrid<Word>>(space, parts.moves, stop);
+    if (stop.has_passed()) return GridPlanner::Parts{};
     return parts_on_grid(grid, std::shared_ptr<GridEngine>(make_engine(grid)), parts, remake);
   };
   if (CostGrid<std::uint32_t>::holds(space.costs())) {

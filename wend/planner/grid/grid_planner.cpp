@@ -84,9 +84,9 @@ std::string reason_in_cells(const FreeSpace& space, const Query& query, Status s
   }
 }
 
-GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts)
+GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts, DeadlineCheck& stop)
     : SearchPlanner(std::move(space)), choose_parts_(std::move(choose_parts)) {
-  take(choose_parts_(free_space()));
+  take(choose_parts_(free_space(), stop));
 }
 
 GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts, Parts parts)
@@ -140,7 +140,7 @@ std::optional<Plan> GridPlanner::do_rest_of(const Path& path, const Query& query
 std::unique_ptr<Planner> GridPlanner::do_clone() const {
   Parts parts = another_engine_ ? Parts{moves_,     another_engine_(), bound_,
                                         any_angle_, another_engine_,   repaired_parts_}
-                                : choose_parts_(free_space());
+                                : choose_parts_(free_space(), DeadlineCheck::never());
   return std::unique_ptr<Planner>(new GridPlanner(free_space(), choose_parts_, std::move(parts)));
 }
 
@@ -150,7 +150,7 @@ std::optional<Error> GridPlanner::do_update(const SpaceChange& change) {
     take(repaired_parts_(free_space(), change));
   } else {
     repaired_parts_ = {};  // its memory first
-    take(choose_parts_(free_space()));
+    take(choose_parts_(free_space(), DeadlineCheck::never()));
   }
   return fault("this planner");
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
@@ -66,10 +67,11 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
     std::function<Parts(const FreeSpace&, const SpaceChange&)> repaired = {};
   };
 
-  /// Called again for another FreeSpace.
-  using PartsChooser = std::function<Parts(const FreeSpace&)>;
+  /// Called again for another FreeSpace. Parts that are not finished before the deadline are of no use.
+  using PartsChooser = std::function<Parts(const FreeSpace&, DeadlineCheck&)>;
 
-  GridPlanner(FreeSpace space, PartsChooser choose_parts);
+  GridPlanner(FreeSpace space, PartsChooser choose_parts,
+              DeadlineCheck& stop = DeadlineCheck::never());
 
   /// Why this planner cannot plan on its FreeSpace, if it cannot.
   std::optional<Error> fault(std::string_view name) const;
@@ -99,22 +101,34 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   GridQuery cells_;
 };
 
-/// A planner that is made from options as text: `parts(space, options)` chooses its parts.
+/// A planner that is made from options as text: `parts(space, options)` chooses its parts, or
+/// `parts(space, options, stop)` where that takes long.
 template <class Options, class ChooseParts>
 PlannerInfo grid_planner(PlannerInfo info, const ChooseParts& parts) {
   info.capabilities.can_step = true;
   info.options = option_schema<Options>();
-  info.make = [parts, name = info.name](const FreeSpace& space,
-                                        const OptionValues& values) -> PlannerResult {
+  info.make_within = [parts, name = info.name](const FreeSpace& space, const OptionValues& values,
+                                               const Deadline& deadline) -> PlannerResult {
     const auto options = parse_options<Options>(values);
     if (!options) {
       return Unexpected<Error>(options.error());
     }
-    auto planner = std::make_unique<GridPlanner>(
-        space,
-        [options = *options, parts](const FreeSpace& other) { return parts(other, options); });
+    const auto choose = [options = *options, parts](const FreeSpace& other, DeadlineCheck& stop) {
+      if constexpr (std::is_invocable_v<ChooseParts, const FreeSpace&, const Options&,
+                                        DeadlineCheck&>) {
+        return parts(other, options, stop);
+      } else {
+        return parts(other, options);
+      }
+    };
+    DeadlineCheck stop(&deadline);
+    auto planner = std::make_unique<GridPlanner>(space, choose, stop);
+    if (stop.has_passed()) return failure(deadline.status(), deadline.text());
     if (auto fault = planner->fault(name)) return Unexpected<Error>(*std::move(fault));
     return planner;
+  };
+  info.make = [make = info.make_within](const FreeSpace& space, const OptionValues& values) {
+    return make(space, values, {});
   };
   return info;
 }

@@ -12,12 +12,18 @@ namespace {
 
 /// The costs from a cell to all others, to each a function; false if they outgrow 32 bits, or the deadline passes.
 template <class Units, class Word, class Take>
-bool costs_from(const CostGrid<Word>& grid, Cell cell, const Deadline& deadline, Take&& take) {
+bool costs_from(const CostGrid<Word>& grid, Cell cell, DeadlineCheck& stop, Take&& take) {
   CostField<std::uint64_t, Word, Units> field(grid);
   if (!field.allocated()) return false;
-  if (field.run({&cell, 1}, deadline.left()) != SearchOutcome::exhausted) return false;
+  const Limits limits = stop.deadline() == nullptr ? Limits() : stop.deadline()->left();
+  const SearchOutcome outcome = field.run({&cell, 1}, limits);
+  if (outcome != SearchOutcome::exhausted) {
+    stop.now();
+    return false;
+  }
   if (field.bound() > std::numeric_limits<std::uint32_t>::max()) return false;
   for (int y = 0; y < grid.height(); ++y) {
+    if (stop.now()) return false;
     for (int x = 0; x < grid.width(); ++x) {
       if (field.reached({x, y})) take(Cell{x, y}, static_cast<std::uint32_t>(field.units({x, y})));
     }
@@ -26,11 +32,11 @@ bool costs_from(const CostGrid<Word>& grid, Cell cell, const Deadline& deadline,
 }
 
 template <class Word, class Take>
-bool costs_on(const CostGrid<Word>& grid, Cell cell, const Deadline& deadline, Take&& take) {
+bool costs_on(const CostGrid<Word>& grid, Cell cell, DeadlineCheck& stop, Take&& take) {
   if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
-    if (grid.one() == 1) return costs_from<OctileUnits<std::uint32_t>>(grid, cell, deadline, take);
+    if (grid.one() == 1) return costs_from<OctileUnits<std::uint32_t>>(grid, cell, stop, take);
     if (CostField<std::uint64_t, Word, CostUnits>::suits(grid)) {
-      return costs_from<CostUnits>(grid, cell, deadline, take);
+      return costs_from<CostUnits>(grid, cell, stop, take);
     }
   }
   return false;
@@ -50,25 +56,32 @@ std::optional<Cell> first_free_cell(const CostGrid<Word>& grid) {
 
 template <class Word>
 std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<Word>& grid, unsigned count,
-                                                 const Deadline& deadline) {
+                                                 DeadlineCheck& stop) {
   auto made = std::make_shared<Landmarks>();
   const auto first = first_free_cell(grid);
   if (!first || count == 0) return made;
   // By cell: how far the nearest landmark is. At first, how far the first cell is, which is none.
   std::vector<std::uint32_t> nearest(grid.state_count(), 0);
+  if (stop.now()) return made;
   Cell next = *first;
-  if (!costs_on(grid, *first, deadline,
+  if (!costs_on(grid, *first, stop,
                 [&](Cell cell, std::uint32_t cost) { nearest[grid.number(cell)] = cost; })) {
     return made;
   }
-  made->costs_.assign(std::size_t{grid.state_count()} * count, kUnreached);
+  made->costs_.reserve(std::size_t{grid.state_count()} * count);
+  while (made->costs_.size() < made->costs_.capacity() && !stop.now()) {
+    constexpr std::size_t kAtOnce = std::size_t{1} << 18U;
+    made->costs_.resize(std::min(made->costs_.size() + kAtOnce, made->costs_.capacity()),
+                        kUnreached);
+  }
+  if (stop.has_passed()) return made;
   for (unsigned i = 0; i < count; ++i) {
     const auto farthest = std::ranges::max_element(nearest);
     next = grid.cell(static_cast<StateId>(farthest - nearest.begin()));
     if (i == 0) {
       std::ranges::replace_if(nearest, [](std::uint32_t cost) { return cost > 0; }, kUnreached);
     }
-    const bool done = costs_on(grid, next, deadline, [&](Cell cell, std::uint32_t cost) {
+    const bool done = costs_on(grid, next, stop, [&](Cell cell, std::uint32_t cost) {
       const StateId id = grid.number(cell);
       made->costs_[id * std::size_t{count} + i] = cost;
       nearest[id] = std::min(nearest[id], cost);
@@ -107,8 +120,8 @@ Landmarks::Bounds::Bounds(std::shared_ptr<const Landmarks> landmarks, StateId st
 }
 
 template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint32_t>&, unsigned,
-                                                          const Deadline&);
+                                                          DeadlineCheck&);
 template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint64_t>&, unsigned,
-                                                          const Deadline&);
+                                                          DeadlineCheck&);
 
 }  // namespace wend

@@ -29,7 +29,7 @@ class Landmarks {
   /// and landmark. None if the deadline passes before.
   template <class Word>
   static std::shared_ptr<const Landmarks> make(const CostGrid<Word>& grid, unsigned count,
-                                               const Deadline& deadline = {});
+                                               DeadlineCheck& stop = DeadlineCheck::never());
 
   std::size_t count() const { return count_; }
 
@@ -76,7 +76,7 @@ class Landmarks {
   static constexpr std::uint32_t kUnreached = ~std::uint32_t{0};
 
   std::size_t count_ = 0;
-  std::vector<std::uint32_t> costs_;  // by cell, then by landmark
+  std::vector<std::uint32_t, LargePages<std::uint32_t>> costs_;  // by cell, then by landmark
 };
 
 }  // namespace wend

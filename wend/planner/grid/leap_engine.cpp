@@ -26,14 +26,15 @@ template std::shared_ptr<GridEngine> make_leap_engine(
     const std::shared_ptr<const Landmarks>&);
 
 GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts, unsigned landmarks,
-                              const Deadline& deadline) {
+                              DeadlineCheck& stop) {
   const auto engine_on = [&]<class Word>(const std::shared_ptr<CostGrid<Word>>& grid) {
-    const auto bounds = landmarks == 0 ? nullptr : Landmarks::make(*grid, landmarks, deadline);
+    const auto bounds = landmarks == 0 ? nullptr : Landmarks::make(*grid, landmarks, stop);
     return make_leap_engine<Word>(grid, parts, bounds);
   };
-  return cost_grid_parts(space, parts, engine_on, [=](const FreeSpace& other) {
+  const auto remake = [=](const FreeSpace& other) {
     return landmarks == 0 ? best_first_parts(other, parts) : leap_parts(other, parts, landmarks);
-  });
+  };
+  return cost_grid_parts(space, parts, engine_on, remake, stop);
 }
 
 }  // namespace wend

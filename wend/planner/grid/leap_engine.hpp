@@ -45,9 +45,8 @@ std::shared_ptr<GridEngine> make_leap_engine(
     const std::shared_ptr<const CostGrid<Word>>& grid, const BestFirst& parts,
     const std::shared_ptr<const Landmarks>& landmarks = nullptr);
 
-/// The engine, with this number of landmarks, or with none if the deadline passes before, and what repairs it after
-/// an edit.
+/// The engine, with this number of landmarks, and what repairs it after an edit. No use if the deadline passes before.
 GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts,
-                              unsigned landmarks = 0, const Deadline& deadline = {});
+                              unsigned landmarks = 0, DeadlineCheck& stop = DeadlineCheck::never());
 
 }  // namespace wend

@@ -228,7 +228,8 @@ class DStarLite final : public WholeSearch<DStarLite<Word, Units>, Word, Units> 
   StateId start_ = 0;
 };
 
-GridPlanner::Parts d_star_lite_parts(const FreeSpace& space, const DStarLiteOptions& options) {
+GridPlanner::Parts d_star_lite_parts(const FreeSpace& space, const DStarLiteOptions& options,
+                                DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
   const BestFirst parts{options.moves, kind, 0, 1};
   if (!can_leap(space, parts)) return best_first_parts(space, parts);
@@ -241,9 +242,10 @@ GridPlanner::Parts d_star_lite_parts(const FreeSpace& space, const DStarLiteOpti
     }
     return engine;
   };
-  return cost_grid_parts(space, parts, engine_on, [options](const FreeSpace& other) {
-    return d_star_lite_parts(other, options);
-  });
+  const auto remake = [options](const FreeSpace& other) {
+    return d_star_lite_parts(other, options, DeadlineCheck::never());
+  };
+  return cost_grid_parts(space, parts, engine_on, remake, stop);
 }
 
 }  // namespace

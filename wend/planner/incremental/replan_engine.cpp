@@ -84,13 +84,14 @@ class ReplanEngine final : public GridEngine {
 
 }  // namespace
 
-GridPlanner::Parts replan_parts(const FreeSpace& space, const BestFirst& parts) {
+GridPlanner::Parts replan_parts(const FreeSpace& space, const BestFirst& parts,
+                                DeadlineCheck& stop) {
   if (!can_leap(space, parts)) return best_first_parts(space, parts);
   const auto engine_on = [&]<class Word>(const std::shared_ptr<CostGrid<Word>>& grid) {
     return std::make_shared<ReplanEngine<Word>>(grid, parts);
   };
-  return cost_grid_parts(space, parts, engine_on,
-                         [=](const FreeSpace& other) { return replan_parts(other, parts); });
+  const auto remake = [=](const FreeSpace& other) { return replan_parts(other, parts); };
+  return cost_grid_parts(space, parts, engine_on, remake, stop);
 }
 
 }  // namespace wend

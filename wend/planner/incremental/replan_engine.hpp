@@ -10,6 +10,7 @@
 namespace wend {
 
 /// The engine and what follows edits, for parts with which it can_leap().
-GridPlanner::Parts replan_parts(const FreeSpace& space, const BestFirst& parts);
+GridPlanner::Parts replan_parts(const FreeSpace& space, const BestFirst& parts,
+                                DeadlineCheck& stop = DeadlineCheck::never());
 
 }  // namespace wend

@@ -7,9 +7,10 @@
 namespace wend {
 namespace {
 
-GridPlanner::Parts replanner_parts(const FreeSpace& space, const ReplannerOptions& options) {
+GridPlanner::Parts replanner_parts(const FreeSpace& space, const ReplannerOptions& options,
+                                DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
-  return replan_parts(space, {options.moves, kind, 0, 1});
+  return replan_parts(space, {options.moves, kind, 0, 1}, stop);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-GridPlanner::Parts choose_parts(const FreeSpace& space) {
+GridPlanner::Parts choose_parts(const FreeSpace& space, DeadlineCheck& /*stop*/) {
   if (!space.uniform_terrain()) return {{}, nullptr, 1};
   const auto engine = [prepared = PreparedJumps::of(space),
                        cells = &space.passable()]<class Cost>(Cost /*type*/) {

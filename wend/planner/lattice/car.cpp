@@ -30,14 +30,18 @@ PlaceGrid car_places(const FreeSpace& space, const OptionValues& values) {
   return corners_of(space, options ? static_cast<int>(options->driving.unit) : 1);
 }
 
-PlannerResult make_car(const FreeSpace& space, const OptionValues& values) {
+PlannerResult make_car_within(const FreeSpace& space, const OptionValues& values,
+                              const Deadline& deadline) {
   auto options = car_options(values, space.map().frame());
   if (!options) return Unexpected<Error>(options.error());
-  const auto lattice_for =
-      [driving = options->driving](const FreeSpace& other) -> Expected<CarLattice, Error> {
+  const auto lattice_for = [driving = options->driving](
+                               const FreeSpace& other,
+                               DeadlineCheck& stop) -> Expected<CarLattice, Error> {
     std::string why_none = why_no_lattice(other.map(), driving);
     if (!why_none.empty()) return failure(Status::unsupported_map, std::move(why_none));
-    return CarLattice(other, driving);
+    CarLattice lattice(other, driving, stop);
+    if (stop.has_passed()) return failure(stop.deadline()->status(), stop.deadline()->text());
+    return lattice;
   };
   const auto engine_on = [options = *options](const CarLattice& lattice) {
     if (options.anytime()) {
@@ -45,10 +49,15 @@ PlannerResult make_car(const FreeSpace& space, const OptionValues& values) {
     }
     return make_engine(lattice, options.heuristic, options.weight);
   };
+  DeadlineCheck stop(&deadline);
   auto planner = std::make_unique<LatticePlanner<CarLattice>>(
-      space, LatticeParts<CarLattice>{lattice_for, engine_on, "the car", options->bound()});
+      space, LatticeParts<CarLattice>{lattice_for, engine_on, "the car", options->bound()}, stop);
   if (auto fault = planner->fault()) return Unexpected<Error>(*std::move(fault));
   return planner;
+}
+
+PlannerResult make_car(const FreeSpace& space, const OptionValues& values) {
+  return make_car_within(space, values, {});
 }
 
 }  // namespace
@@ -93,6 +102,7 @@ PlannerInfo car_planner() {
                        .can_step = true},
       .options = option_schema<CarOptions>(),
       .make = make_car,
+      .make_within = make_car_within,
       .places = car_places};
 }
 

@@ -37,7 +37,7 @@ PlannerResult make_lattice(const FreeSpace& space, const OptionValues& values) {
   if (!options) {
     return Unexpected<Error>(options.error());
   }
-  const auto lattice_for = [options = *options](const FreeSpace& other) {
+  const auto lattice_for = [options = *options](const FreeSpace& other, DeadlineCheck& /*stop*/) {
     return lattice_of(other, options);
   };
   const auto engine_on = [options = *options](const MotionLattice& lattice) {

@@ -28,8 +28,8 @@ namespace wend {
 /// What makes a planner of a kind of lattice.
 template <class Lattice>
 struct LatticeParts {
-  /// The lattice for a space, or why there is none. Called again for another space.
-  std::function<Expected<Lattice, Error>(const FreeSpace&)> make_lattice;
+  /// The lattice for a space, or why there is none: also if the deadline passes before. Called again for another space.
+  std::function<Expected<Lattice, Error>(const FreeSpace&, DeadlineCheck&)> make_lattice;
   /// A search on it; not allocated() without memory for its nodes.
   std::function<std::unique_ptr<LatticeEngine<Lattice>>(const Lattice&)> make_engine;
   std::string robot;  // whose poses they are, in errors: "the car"
@@ -39,9 +39,10 @@ struct LatticeParts {
 template <class Lattice>
 class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
  public:
-  LatticePlanner(FreeSpace space, LatticeParts<Lattice> parts)
+  LatticePlanner(FreeSpace space, LatticeParts<Lattice> parts,
+                 DeadlineCheck& stop = DeadlineCheck::never())
       : LatticePlanner(std::move(space), std::move(parts), nullptr) {
-    LatticePlanner::do_update(SpaceChange::of_everything());
+    prepare(stop);
   }
 
   /// Why it cannot plan in its space, if it cannot.
@@ -69,14 +70,18 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
 
   std::optional<Error> do_update(const SpaceChange& /*change*/) override {
     LatticePlanner::do_release();  // its memory first
-    auto lattice = parts_.make_lattice(this->free_space());
+    prepare(DeadlineCheck::never());
+    return fault_;
+  }
+
+  void prepare(DeadlineCheck& stop) {
+    auto lattice = parts_.make_lattice(this->free_space(), stop);
     if (lattice) {
       lattice_ = std::make_shared<const Lattice>(*std::move(lattice));
       fault_ = make_engine();
     } else {
       fault_ = std::move(lattice.error());
     }
-    return fault_;
   }
 
   void do_release() override {

@@ -105,21 +105,28 @@ HybridResolution HybridPortfolio::shuffle_resolution(const Steering& steering, d
 }
 
 /// Large squares are quick; where the first search finds nothing, the robot passes close to walls, and smaller ones
-/// know better how.
-const CoarseGrid& HybridPortfolio::grid_of(Squares squares) {
+/// know better how. Null if a limit ends the query before.
+const CoarseGrid* HybridPortfolio::grid_of(Squares squares) {
   constexpr std::array<double, kSquares> kSteps{1.5, 0.75, 0.75, 0.5};
   auto& grid = grids_[squares];
-  if (grid) return *grid;
+  if (grid) return grid.get();
   const FreeSpace& space = ground_->free_space();
+  bool cut = false;
+  const auto stop = [&] { return cut = cut || interrupted(); };
   if (squares == closer_and_wide) {
-    grid = std::make_unique<CoarseGrid>(grid_of(closer));
-    grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
-    return *grid;
+    const CoarseGrid* const other = grid_of(closer);
+    if (other == nullptr) return nullptr;
+    grid = std::make_unique<CoarseGrid>(*other);
+    grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor, stop);
+    if (cut) grid.reset();
+    return grid.get();
   }
   const BitGrid& cells = squares == finest ? ground_->drivable() : space.possible();
   const double most = kSteps[squares] * resolution_.step;
-  grid = std::make_unique<CoarseGrid>(space, cells, coarse_size(space, cells, most));
-  return *grid;
+  const int size = coarse_size(space, cells, most);
+  grid = std::make_unique<CoarseGrid>(space, cells, size, stop);
+  if (cut) grid.reset();
+  return grid.get();
 }
 
 bool HybridPortfolio::is_wider(Kind kind) const {
@@ -132,21 +139,23 @@ const GoalRing& HybridPortfolio::ring_of(Kind kind) {
   return *wider_ring_;
 }
 
-HybridSearch& HybridPortfolio::search_of(Kind kind) {
+/// Null if a limit ends the query before.
+HybridSearch* HybridPortfolio::search_of(Kind kind) {
   Member& member = members_[kind];
   if (!member.search) {
+    const CoarseGrid* const grid = grid_of(squares_of(kind));
+    if (grid == nullptr) return nullptr;
     const auto direction =
         from_goal(kind) ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
     member.search = std::make_unique<HybridSearch>(
-        ground_->check(), is_wider(kind) ? wider_steering_ : steering_, ring_of(kind),
-        grid_of(squares_of(kind)), resolution_of(kind), direction,
-        kind >= lattice ? lattice_.get() : nullptr);
+        ground_->check(), is_wider(kind) ? wider_steering_ : steering_, ring_of(kind), *grid,
+        resolution_of(kind), direction, kind >= lattice ? lattice_.get() : nullptr);
   }
   if (!member.begun) {
-    member.search->begin(start_, goals_, observer_);
+    member.search->begin(start_, goals_, observer_, [this] { return interrupted().has_value(); });
     member.begun = true;
   }
-  return *member.search;
+  return member.search.get();
 }
 
 std::uint64_t HybridPortfolio::expanded() const {
@@ -157,22 +166,29 @@ std::uint64_t HybridPortfolio::expanded() const {
   return sum;
 }
 
-std::optional<SearchOutcome> HybridPortfolio::stopped() const {
+/// By its flag or its time, which may end anything; the expansions end what expands.
+std::optional<SearchOutcome> HybridPortfolio::interrupted() const {
   if (limits_->cancel != nullptr && *limits_->cancel) return SearchOutcome::cancelled;
   if (limits_->timed() && limits_->now() >= end_seconds_) return SearchOutcome::time_limit;
-  if (expanded() >= limit_) return SearchOutcome::expansion_limit;
   if (budget_.clock() >= budget_end_) return SearchOutcome::time_limit;
+  return std::nullopt;
+}
+
+std::optional<SearchOutcome> HybridPortfolio::stopped() const {
+  if (const auto outcome = interrupted()) return outcome;
+  if (expanded() >= limit_) return SearchOutcome::expansion_limit;
   return std::nullopt;
 }
 
 SearchOutcome HybridPortfolio::run_member(Kind kind, std::uint64_t most) {
   if (const auto outcome = stopped()) return *outcome;
-  HybridSearch& search = search_of(kind);
-  const std::uint64_t begun = search.metrics().expanded;
-  while (search.metrics().expanded - begun < most || search.has_path()) {
+  HybridSearch* const search = search_of(kind);
+  if (search == nullptr) return stopped().value_or(SearchOutcome::time_limit);
+  const std::uint64_t begun = search->metrics().expanded;
+  while (search->metrics().expanded - begun < most || search->has_path()) {
     if (const auto outcome = stopped()) return *outcome;
     constexpr std::uint64_t kAtOnce = 32;
-    const SearchOutcome outcome = search.run(std::min(kAtOnce, limit_ - expanded()));
+    const SearchOutcome outcome = search->run(std::min(kAtOnce, limit_ - expanded()));
     if (outcome != SearchOutcome::running) return outcome;
   }
   return SearchOutcome::running;

@@ -105,11 +105,12 @@ class HybridPortfolio {
   HybridResolution shuffle_resolution(const Steering& steering, double finer) const;
   bool is_wider(Kind kind) const;
   const GoalRing& ring_of(Kind kind);
-  const CoarseGrid& grid_of(Squares squares);
-  HybridSearch& search_of(Kind kind);
+  const CoarseGrid* grid_of(Squares squares);
+  HybridSearch* search_of(Kind kind);
 
   void begin(const Pose& start, std::span<const HybridGoal> goals, const Limits& limits,
              SearchObserver* observer);
+  std::optional<SearchOutcome> interrupted() const;
   std::optional<SearchOutcome> stopped() const;
   std::uint64_t expanded() const;
   SearchOutcome run_member(Kind kind, std::uint64_t most);

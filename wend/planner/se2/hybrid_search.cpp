@@ -48,7 +48,7 @@ HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, c
       traced_(resolution.trace_spacing, kTraceHeadings) {}
 
 void HybridSearch::begin(const Pose& first, std::span<const HybridGoal> goals,
-                         SearchObserver* observer) {
+                         SearchObserver* observer, std::function<bool()> stop) {
   Pose start = first;
   goals_ = goals;
   if (direction_ == Direction::from_goal) {
@@ -72,7 +72,7 @@ void HybridSearch::begin(const Pose& first, std::span<const HybridGoal> goals,
   nearest_try_ = kNoWay;
   seeds_.clear();
   for (const HybridGoal& goal : goals_) seeds_.push_back(seed_of(goal));
-  field_.begin(seeds_, start.point());
+  field_.begin(seeds_, start.point(), std::move(stop));
   field_.settle(start.point());
   const CoarseCostField::Value h = estimate(start);
   if (!(h.cost < kNoWay)) return;

@@ -11,6 +11,7 @@
 // The search goes on for a while after it has found a path, as long as a better one is likely.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,8 +46,10 @@ class HybridSearch {
                const LatticeMotions* lattice = nullptr);
 
   /// Begins a query. The goals and the observer (may be null) must outlive the search. A search from the goal needs
-  /// one goal with a heading.
-  void begin(const Pose& start, std::span<const HybridGoal> goals, SearchObserver* observer);
+  /// one goal with a heading. `stop` is asked now and then whether the search must end; null: never. Once it has said
+  /// so, the search is of no use.
+  void begin(const Pose& start, std::span<const HybridGoal> goals, SearchObserver* observer,
+             std::function<bool()> stop = {});
 
   /// Expands at most `most` poses. Found: no better path is likely.
   SearchOutcome run(std::uint64_t most);

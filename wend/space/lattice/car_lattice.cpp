@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "wend/geometry/arc.hpp"
+#include "wend/map/grid_within.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/sweep.hpp"
 #include "wend/robot/swept_clearance.hpp"
@@ -72,23 +73,27 @@ Steps all_steps() {
   return steps;
 }
 
-BitGrid blocked_cells(const FreeSpace& space, int unit) {
+BitGrid blocked_cells(const FreeSpace& space, int unit, DeadlineCheck& stop) {
   if (unit == 1) return space.obstacles().blocked();
   BitGrid blocked(cells_along(space.width(), unit), cells_along(space.height(), unit));
   for (const Cell cell : every_cell(space)) {
+    if (stop()) break;
     if (space.obstacles().blocked()[cell]) blocked.set({cell.x / unit, cell.y / unit}, true);
   }
   return blocked;
 }
 
 /// The mean over the map cells of each lattice cell; empty if it is 1 everywhere.
-Grid<double> mean_terrain(const FreeSpace& space, int unit) {
+Grid<double> mean_terrain(const FreeSpace& space, int unit, DeadlineCheck& stop) {
   if (space.uniform_terrain()) return {};
-  Grid<double> mean(cells_along(space.width(), unit), cells_along(space.height(), unit), 0);
+  auto mean = grid_within<double>(cells_along(space.width(), unit),
+                                  cells_along(space.height(), unit), 0, stop);
   for (const Cell cell : every_cell(space)) {
+    if (stop()) break;
     mean[{cell.x / unit, cell.y / unit}] += space.terrain(cell);
   }
   for (const Cell cell : every_cell(mean)) {
+    if (stop()) break;
     const int width = std::min(unit, space.width() - cell.x * unit);
     const int height = std::min(unit, space.height() - cell.y * unit);
     mean[cell] /= static_cast<double>(width) * height;
@@ -101,9 +106,11 @@ Pose corner_point(Cell corner, int unit, double heading = 0) {
 }
 
 /// The corners that no blocked cell touches and where the robot's disc fits.
-BitGrid passable_corners(const FreeSpace& space, const BitGrid& blocked, int unit) {
+BitGrid passable_corners(const FreeSpace& space, const BitGrid& blocked, int unit,
+                         DeadlineCheck& stop) {
   BitGrid passable(corners_along(space.width(), unit), corners_along(space.height(), unit));
   for (const Cell corner : every_cell(passable)) {
+    if (stop()) break;
     const auto [x, y] = corner;
     if (blocked[{x - 1, y - 1}] || blocked[{x, y - 1}] || blocked[{x - 1, y}] || blocked[corner]) {
       continue;
@@ -117,7 +124,7 @@ BitGrid passable_corners(const FreeSpace& space, const BitGrid& blocked, int uni
 
 /// Sweeps the disc along every arc and line of the lattice. Returns which of them fit, by their owner.
 Grid<std::uint8_t> fitting_moves(const FreeSpace& space, const BitGrid& passable,
-                                 const Steps& steps, int unit) {
+                                 const Steps& steps, int unit, DeadlineCheck& stop) {
   Grid<std::uint8_t> fitting(passable.width(), passable.height(), 0);
   const auto sweep = [&](Cell corner, Heading heading, const CarStep& step) {
     const Cell to{corner.x + step.by.x, corner.y + step.by.y};
@@ -129,6 +136,7 @@ Grid<std::uint8_t> fitting_moves(const FreeSpace& space, const BitGrid& passable
     bits = static_cast<std::uint8_t>(bits | 1U << step.arc_bit);
   };
   for (const Cell corner : every_cell(passable)) {
+    if (stop()) break;
     if (!passable[corner]) continue;
     for (const Heading heading : kAllHeadings) {
       for (const CarMove move : {CarMove::fwd, CarMove::fwd_plus, CarMove::fwd_minus}) {
@@ -163,16 +171,21 @@ std::string why_no_lattice(const GridMap& map, const CarDriving& driving) {
   return {};
 }
 
-CarLattice::CarLattice(FreeSpace space, const CarDriving& driving) {
+CarLattice::CarLattice(FreeSpace space, const CarDriving& driving, DeadlineCheck& stop) {
   assert(has_room_for(space.map(), driving));
   const auto unit = static_cast<int>(driving.unit);
   const Steps steps = all_steps();
-  BitGrid blocked = blocked_cells(space, unit);
-  BitGrid passable = passable_corners(space, blocked, unit);
-  ConnectedComponents components(passable);
-  Grid<double> terrain = mean_terrain(space, unit);
+  BitGrid blocked = blocked_cells(space, unit, stop);
+  BitGrid passable = passable_corners(space, blocked, unit, stop);
+  if (stop.has_passed()) return;
+  ConnectedComponents components(passable, stop);
+  Grid<double> terrain = mean_terrain(space, unit, stop);
+  if (stop.has_passed()) return;
   Grid<std::uint8_t> fitting;
-  if (may_touch_obstacles(space, unit)) fitting = fitting_moves(space, passable, steps, unit);
+  if (may_touch_obstacles(space, unit)) {
+    fitting = fitting_moves(space, passable, steps, unit, stop);
+  }
+  if (stop.has_passed()) return;
   data_ = std::make_shared<const Data>(Data{std::move(space), driving, steps, std::move(blocked),
                                             std::move(passable), std::move(components),
                                             std::move(terrain), std::move(fitting)});

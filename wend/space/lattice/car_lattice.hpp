@@ -22,6 +22,7 @@
 #include <string>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/geometry/corner_pose.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/connected_components.hpp"
@@ -59,7 +60,9 @@ class WEND_API CarLattice {
   using Place = CornerPose;
   static constexpr double kVertexOffset = 0;  // of vertex (0, 0) in grid coordinates
 
-  CarLattice(FreeSpace space, const CarDriving& driving);
+  /// Of no use if the deadline passes before it is made.
+  CarLattice(FreeSpace space, const CarDriving& driving,
+             DeadlineCheck& stop = DeadlineCheck::never());
 
   const FreeSpace& free_space() const { return data_->space; }
   const CarDriving& driving() const { return data_->driving; }

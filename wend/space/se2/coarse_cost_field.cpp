@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace wend {
 namespace {
@@ -29,7 +30,8 @@ CoarseCostField::CoarseCostField(const CoarseGrid& grid)
       per_width_(1 / (kBucketWidth * static_cast<float>(grid.size()))),
       size_(static_cast<float>(grid.size())) {}
 
-void CoarseCostField::begin(std::span<const Seed> goals, Point start) {
+void CoarseCostField::begin(std::span<const Seed> goals, Point start, std::function<bool()> stop) {
+  stop_ = std::move(stop);
   for (const std::uint32_t square : touched_) {
     values_[square] = kUnknown;
     settled_flags_[square] = 0;
@@ -214,10 +216,12 @@ CoarseCostField::Value CoarseCostField::at(Point point) const {
 }
 
 void CoarseCostField::settle(Point point) {
+  constexpr std::size_t kBetweenLooks = 1024;
   for (const std::size_t square : around(point).squares) {
     if (!grid_.open(square)) continue;
     while (!known(square)) {
       if (!settle_next()) return;
+      if (stop_ && settled_ % kBetweenLooks == 0 && stop_()) return;
     }
   }
 }

@@ -35,8 +35,9 @@ class CoarseCostField {
     double reach = 0;
   };
 
-  /// Forgets all values. Nothing is computed yet. O(values computed before).
-  void begin(std::span<const Seed> goals, Point start);
+  /// Forgets all values. Nothing is computed yet. O(values computed before). From now on settle() asks `stop` now and
+  /// then whether it must end before the value is exact; null: never.
+  void begin(std::span<const Seed> goals, Point start, std::function<bool()> stop = {});
 
   struct Value {
     double cost = 0;  // a lower bound of what will be settled, if it is not exact
@@ -101,6 +102,7 @@ class CoarseCostField {
   std::size_t queued_ = 0;         // in the buckets
   std::vector<Waiting> far_;       // too far ahead for the buckets
   std::size_t next_far_ = kNever;  // the first bucket of these
+  std::function<bool()> stop_;
   std::size_t settled_ = 0;
   float first_key_ = 0;
   float per_width_;  // buckets in a unit of cost

@@ -29,6 +29,17 @@ void take_multipliers(const FreeSpace& space, Cell first, std::uint64_t cells, f
   }
 }
 
+/// Calls visit(y) for the rows of cells, and asks stop() every some ten thousand cells whether it must end.
+template <class Visit>
+void for_each_row(const FreeSpace& space, const std::function<bool()>& stop, Visit&& visit) {
+  constexpr int kCellsBetweenLooks = 1 << 16;
+  const int rows = std::max(kCellsBetweenLooks / space.width(), 1);
+  for (int y = 0; y < space.height(); ++y) {
+    visit(y);
+    if ((y + 1) % rows == 0 && stop()) return;
+  }
+}
+
 /// Calls visit(x) for the set bits of a row.
 template <class Visit>
 void for_each_cell(std::span<const std::uint64_t> words, Visit&& visit) {
@@ -72,12 +83,13 @@ BitGrid cells_to_drive_in(const FreeSpace& space) {
   return cells;
 }
 
-CoarseGrid::CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size)
+CoarseGrid::CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size,
+                       const std::function<bool()>& stop)
     : size_(size), stride_(static_cast<std::size_t>((space.width() + size - 1) / size) + 2) {
   const auto rows = static_cast<std::size_t>((space.height() + size - 1) / size) + 2;
   multipliers_.assign(stride_ * rows, std::numeric_limits<float>::infinity());
   sides_.assign(stride_ * rows, 0);
-  for (int y = 0; y < space.height(); ++y) take_row(space, drivable, y);
+  for_each_row(space, stop, [&](int y) { take_row(space, drivable, y); });
 }
 
 void CoarseGrid::take_row(const FreeSpace& space, const BitGrid& drivable, int y) {
@@ -99,11 +111,12 @@ void CoarseGrid::take_row(const FreeSpace& space, const BitGrid& drivable, int y
   }
 }
 
-void CoarseGrid::charge_narrow_squares(const FreeSpace& space, double room, float factor) {
+void CoarseGrid::charge_narrow_squares(const FreeSpace& space, double room, float factor,
+                                       const std::function<bool()>& stop) {
   const double least = space.inscribed_radius_in_cells() + room;
   const auto threshold = threshold_of(4 * least * least);
   std::vector<bool> wide(count(), false);
-  for (int y = 0; y < space.height(); ++y) {
+  for_each_row(space, stop, [&](int y) {
     const auto row = space.possible().row_words(y);
     std::size_t square = index(0, y / size_);
     for (int x = 0; x < space.width(); x += size_, ++square) {
@@ -112,7 +125,7 @@ void CoarseGrid::charge_narrow_squares(const FreeSpace& space, double room, floa
         wide[square] = space.squared_half_cell_clearance(cell, threshold) >= threshold;
       }
     }
-  }
+  });
   for (std::size_t i = 0; i < count(); ++i) {
     if (!wide[i]) multipliers_[i] *= factor;
   }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -29,8 +30,11 @@ class CoarseGrid {
  public:
   static constexpr int kMostSize = 63;  // cells
 
-  /// `size` is that of a square, in cells. O(cells).
-  CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size);
+  /// `size` is that of a square, in cells. O(cells). stop() is asked now and then whether it must end; if it said so, it
+  /// is of no use.
+  CoarseGrid(
+      const FreeSpace& space, const BitGrid& drivable, int size,
+      const std::function<bool()>& stop = [] { return false; });
 
   int size() const { return size_; }
   /// The number of squares with a ring of blocked ones around the map.
@@ -65,7 +69,9 @@ class CoarseGrid {
   static constexpr std::uint8_t kBelow = 8;
 
   /// Makes squares dearer in which no cell has this room beside the robot, in cells.
-  void charge_narrow_squares(const FreeSpace& space, double room, float factor);
+  void charge_narrow_squares(
+      const FreeSpace& space, double room, float factor,
+      const std::function<bool()>& stop = [] { return false; });
 
  private:
   void take_row(const FreeSpace& space, const BitGrid& drivable, int y);
