@@ -29,6 +29,7 @@ std::string text_of(const PlanResult& result) {
          << result.metrics.expanded << " expanded in " << 1e3 * result.metrics.seconds << " ms of "
          << wend::thread_time_name() << ", " << result.since_change
          << " s after the last change of the map";
+    if (!result.reason.empty()) text << "; " << result.reason;
   } else {
     text << "no plan, " << result.status << " " << result.status_name << ": " << result.reason;
   }

@@ -11,6 +11,7 @@
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/shift_text.hpp"
 #include "wend/session/units.hpp"
 #include "wend_ros/path_message.hpp"
 
@@ -143,9 +144,13 @@ void put_answer(PlanResult& result, const wend::PlanAnswer& answer, const std::s
   }
   if (heading) put_heading(result, *heading);
   if (answer.fault) result.reason = "the path is as planned: " + answer.fault->message;
-  for (const std::string& note : answer.notes) {
+  const auto add = [&result](const std::string& note) {
     result.reason += (result.reason.empty() ? "" : "; ") + note;
-  }
+  };
+  std::ranges::for_each(answer.notes, add);
+  const std::string shifts = wend::shifts_text(plan.start_snapping_error, plan.goal_snapping_error,
+                                               wend::Units(answer.space.map()));
+  if (!shifts.empty()) add(shifts);
 }
 
 void put_metrics(PlanResult& result, const wend::SearchMetrics& metrics, double seconds) {

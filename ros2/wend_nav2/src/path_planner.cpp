@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "wend/planner/planners.hpp"
+#include "wend/session/shift_text.hpp"
 #include "wend_nav2/path_poses.hpp"
 #include "wend_nav2/pose_faults.hpp"
 
@@ -142,6 +143,8 @@ wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan_within(const PathR
     return wend::Unexpected<Failure>(
         Failure{kind_of(answer.error().status), answer.error().message});
   }
+  shifts_ = wend::shifts_text(answer->plan.start_snapping_error, answer->plan.goal_snapping_error,
+                              wend::Units(answer->space.map()));
   return poses_of(*answer, request);
 }
 

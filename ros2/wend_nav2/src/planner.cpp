@@ -143,12 +143,20 @@ class Planner final : public nav2_core::GlobalPlanner {
       request.goal = checked("the goal", stops[i + 1], Tilt::flat);
       const auto leg = planner_->plan(request, cancelled);
       if (!leg) throw_as_nav2(leg.error());
+      tell_shifts(planner_->shifts());
       all.insert(all.end(), leg->begin() + (all.empty() ? 0 : 1), leg->end());
     }
     std_msgs::msg::Header header;
     header.frame_id = frame;
     header.stamp = clock_->now();
     return to_message(all, header);
+  }
+
+  /// Once, and not for every path that a robot asks for on its way.
+  void tell_shifts(const std::string& shifts) {
+    if (!shifts.empty() && shifts != told_)
+      RCLCPP_INFO(logger_, "%s: %s", name_.c_str(), shifts.c_str());
+    told_ = shifts;
   }
 
   void check_frame(const Pose& pose, const std::string& frame) const {
@@ -171,6 +179,7 @@ class Planner final : public nav2_core::GlobalPlanner {
   }
 
   std::string name_;
+  std::string told_;  // how far ends were moved
   rclcpp::Logger logger_{rclcpp::get_logger("wend_nav2")};
   rclcpp::Clock::SharedPtr clock_;
   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;

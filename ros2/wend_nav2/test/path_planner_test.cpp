@@ -427,5 +427,17 @@ TEST(PathPlanner, WrongOptionsOfAPlannerAreAnInvalidPlanner) {
   EXPECT_EQ(kind_of(without_costs.plan({{}, {}, kRoundRobot}, {})), "other");
 }
 
+TEST(PathPlanner, SaysHowFarAnEndWasMoved) {
+  const Costmap map = costmap_of(kDoor);
+  PathPlanner planner;
+  planner.set(inscribed("astar", {{"nearest", "true"}}));
+  const wend::MapPose start = middle_of(map, 1, 1);
+  ASSERT_TRUE(plan(planner, map, start, middle_of(map, 14, 4)));
+  EXPECT_EQ(planner.shifts(), "");
+  const auto moved = plan(planner, map, start, middle_of(map, 8, 1));
+  ASSERT_TRUE(moved) << moved.error().message;
+  EXPECT_EQ(planner.shifts(), "the goal 0.1 m from what was asked");
+}
+
 }  // namespace
 }  // namespace wend_nav2

@@ -9,7 +9,7 @@ namespace wend {
 namespace {
 
 GridPlanner::Parts alt_parts(const FreeSpace& space, const AltOptions& options,
-                                DeadlineCheck& stop) {
+                             DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
   const BestFirst parts{options.moves, kind, 0, 1};
   if (!can_leap(space, parts)) return best_first_parts(space, parts);

@@ -8,7 +8,7 @@ namespace wend {
 namespace {
 
 GridPlanner::Parts astar_parts(const FreeSpace& space, const AStarOptions& options,
-                                DeadlineCheck& stop) {
+                               DeadlineCheck& stop) {
   const BestFirst parts{options.moves,
                         resolved(options.heuristic.kind, options.moves.connectivity),
                         options.heuristic.constant,

@@ -8,7 +8,7 @@ namespace wend {
 namespace {
 
 GridPlanner::Parts dijkstra_parts(const FreeSpace& space, const DijkstraOptions& options,
-                                DeadlineCheck& stop) {
+                                  DeadlineCheck& stop) {
   return best_first_parts(
       space, {options.moves, HeuristicKind::zero, 0, 0, options.leaps, options.order}, stop);
 }

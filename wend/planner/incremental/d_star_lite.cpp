@@ -229,7 +229,7 @@ class DStarLite final : public WholeSearch<DStarLite<Word, Units>, Word, Units> 
 };
 
 GridPlanner::Parts d_star_lite_parts(const FreeSpace& space, const DStarLiteOptions& options,
-                                DeadlineCheck& stop) {
+                                     DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
   const BestFirst parts{options.moves, kind, 0, 1};
   if (!can_leap(space, parts)) return best_first_parts(space, parts);

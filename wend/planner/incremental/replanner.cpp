@@ -8,7 +8,7 @@ namespace wend {
 namespace {
 
 GridPlanner::Parts replanner_parts(const FreeSpace& space, const ReplannerOptions& options,
-                                DeadlineCheck& stop) {
+                                   DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
   return replan_parts(space, {options.moves, kind, 0, 1}, stop);
 }

@@ -50,6 +50,9 @@ class PathPlanner {
   /// asks `cancelled`, unless it is empty, every few hundred expansions.
   wend::Expected<Poses, Failure> plan(const PathRequest& request, const CancelChecker& cancelled);
 
+  /// How far the ends of the last path are from where they were asked to be; empty if they are there.
+  const std::string& shifts() const { return shifts_; }
+
  private:
   struct Watch;
 
@@ -63,6 +66,7 @@ class PathPlanner {
   wend::Session session_;
   CostmapCopy costmap_;
   PlannerSettings settings_;
+  std::string shifts_;
 };
 
 }  // namespace wend_nav2
