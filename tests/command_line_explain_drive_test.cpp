@@ -51,8 +51,8 @@ TEST_F(ExplainDrive, NamesTheCornerThatTouches) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out,
               AllOf(StartsWith("there is no drive from start (3,2,E) to goal (5,7,E)\n"),
-                    HasSubstr("does not fit at the goal"), HasSubstr("right corner"),
-                    HasSubstr("right corner lies in the obstacle cell (3,8)"),
+                    HasSubstr("does not fit at the goal"), HasSubstr("its rear right"),
+                    HasSubstr("corner lies in the obstacle cell (3,8)"),
                     HasSubstr("would help        a footprint of at most")));
 }
 

@@ -9,12 +9,14 @@
 #include "tests/snippets.hpp"
 #include "wend/explore/explorer.hpp"
 #include "wend/io/map/load_map.hpp"
+#include "wend/map/place_text.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/planner/planner_options.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/overlap.hpp"
 #include "wend/session/eased_query.hpp"
 #include "wend/session/session.hpp"
+#include "wend/session/shift_text.hpp"
 #include "wend/session/way_out.hpp"
 
 namespace {
@@ -84,6 +86,29 @@ TEST(Snippets, OfExplanations) {
     report(explainer.explain(status, {start, {goal}}, query.limits, metrics));
   }
   EXPECT_TRUE(reported.starts_with("the goal (-5,1) is outside the map")) << reported;
+}
+
+TEST(Snippets, OfShiftText) {
+  const wend::FreeSpace space = open_ground();
+  wend::Plan plan;
+  plan.goal_snapping_error = {2, 0};
+  reported.clear();
+  {
+    const wend::Units units(space.map());
+    report(wend::shifts_text(plan.start_snapping_error, plan.goal_snapping_error, units));
+  }
+  EXPECT_EQ(reported, "the goal 2 cells from what was asked");
+}
+
+TEST(Snippets, OfPlaceText) {
+  const wend::FreeSpace space = open_ground();
+  const wend::GridMap& map = space.map();
+  const wend::Pose pose{2, 1, 0};
+  reported.clear();
+  {
+    report("the robot stands at " + wend::pose_text(pose, map.frame()));
+  }
+  EXPECT_EQ(reported, "the robot stands at (2,1,E)");
 }
 
 /// A wall at the left edge, which a robot touches.

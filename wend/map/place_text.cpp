@@ -21,6 +21,10 @@ std::string range_text(double from, double to) {
 /// With so many digits after the point as a scale of 10, 100, 1000 .. says.
 std::string rounded_text(double value, double scale) {
   const double rounded = std::round(value * scale) / scale + 0.0;  // no -0
+  constexpr double kMostWhole = 1e15;                              // not 1e+06
+  if (std::abs(rounded) < kMostWhole && rounded == std::trunc(rounded)) {
+    return std::to_string(static_cast<long long>(rounded));
+  }
   return format_number(std::isfinite(rounded) ? rounded : value);
 }
 

@@ -2,7 +2,8 @@
 
 // How far the ends of a path are from where they were asked to be, in words, as every front end says it.
 //
-//   report(wend::shifts_text(plan.start_snapping_error, plan.goal_snapping_error, wend::Units(space.map())));
+//   const wend::Units units(space.map());
+//   report(wend::shifts_text(plan.start_snapping_error, plan.goal_snapping_error, units));
 
 #include <string>
 
