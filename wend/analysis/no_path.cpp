@@ -21,11 +21,15 @@ constexpr std::array<Changes, 8> kAllChanges{{{},
                                               {.squeeze = true, .smaller_robot = true},
                                               {true, true, true}}};
 
-FreeSpace with_unknown_free(const FreeSpace& space) {
+/// `check` has passed if it was not made in time.
+FreeSpace with_unknown_free(const FreeSpace& space, DeadlineCheck& check) {
   FreeSpaceOptions options = space.options();
   if (options.unknown == UnknownPolicy::free || space.map().unknown().count() == 0) return space;
   options.unknown = UnknownPolicy::free;
-  auto made = make_free_space(space.map(), options);
+  if (check.now()) return space;
+  const Deadline never;
+  auto made = make_free_space(Obstacles(space.map(), options.obstacles()), options.robot(),
+                              check.deadline() == nullptr ? never : *check.deadline());
   return made ? *std::move(made)
               : space;  // if what was unknown costs too much, the change opens nothing
 }
@@ -35,11 +39,11 @@ class Widths {
  public:
   Widths(const FreeSpace& space, Cell start, Cell goal, GridMoves moves, DeadlineCheck check)
       : space_(space),
-        with_unknown_free_(with_unknown_free(space)),
+        check_(check),
+        with_unknown_free_(with_unknown_free(space, check_)),
         start_(start),
         goal_(goal),
-        moves_(moves),
-        check_(check) {
+        moves_(moves) {
     for (const bool unknown_free : {false, true}) {
       for (const bool squeeze : {false, true}) {
         const Changes changes{unknown_free, squeeze};
@@ -74,11 +78,11 @@ class Widths {
   }
 
   FreeSpace space_;
+  DeadlineCheck check_;
   FreeSpace with_unknown_free_;
   Cell start_;
   Cell goal_;
   GridMoves moves_;
-  DeadlineCheck check_;
   std::array<std::optional<std::uint32_t>, 4> widths_;
 };
 
@@ -121,8 +125,7 @@ NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves 
 
 std::optional<NoPath> explain_no_path(const FreeSpace& space, Cell start, Cell goal,
                                       GridMoves moves, const Deadline& deadline) {
-  // An explanation takes about so long; the distances to obstacles and a free space are made without a look at
-  // the clock.
+  // An explanation takes about so long: a part of one helps nobody.
   constexpr double kSecondsPerCell = 1e-6;
   if (deadline.seconds_left() < kSecondsPerCell * static_cast<double>(space.map().size())) {
     return std::nullopt;
@@ -130,7 +133,7 @@ std::optional<NoPath> explain_no_path(const FreeSpace& space, Cell start, Cell g
   if (!space.contains(start) || !space.contains(goal)) return NoPath{};
   DeadlineCheck check(&deadline);
   Widths widths(space, start, goal, moves, check);
-  if (check.now()) return std::nullopt;
+  if (check.now() || !space.make_components(moves.adjacency(), deadline)) return std::nullopt;
   NoPath why{.start_component = component_size(space, start, moves),
              .goal_component = component_size(space, goal, moves),
              .widest = widths.path({}),

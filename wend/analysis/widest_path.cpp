@@ -9,6 +9,7 @@
 #include "wend/geometry/direction.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/distance_field.hpp"
+#include "wend/map/grid_within.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/swept_clearance.hpp"
 #include "wend/search/min_heap.hpp"
@@ -43,9 +44,10 @@ class WidestSearch {
         goal_(goal),
         check_(check),
         stride_(adjacency == Adjacency::edges ? 2 : 1),  // even directions are straight
-        widths_(space.width(), space.height(), kNotReached) {}
+        widths_(grid_within<std::int64_t>(space.width(), space.height(), kNotReached, check_)) {}
 
   std::optional<std::uint32_t> run(Cell start) {
+    if (check_.has_passed() || !space_.obstacles().make_clearance(check_)) return std::nullopt;
     const auto& clearance = space_.squared_half_cell_clearance();
     if (clearance[start] == 0 || clearance[goal_] == 0) return std::nullopt;
     // No path is wider than this. Capped by it, all that is wide enough is equally wide.
@@ -85,12 +87,13 @@ class WidestSearch {
 /// The map with the cells on which no wider robot can stand so dear that the cheapest path enters as
 /// few of them as it can.
 /// In cells: a radius in metres may be larger than that of any Footprint.
-GridMap with_narrow_cells_dear(const FreeSpace& space, std::uint32_t width) {
+GridMap with_narrow_cells_dear(const FreeSpace& space, std::uint32_t width, DeadlineCheck& check) {
   const GridMap& map = space.map();
   const auto& clearance = space.squared_half_cell_clearance();
   Grid<CellState> states(map.width(), map.height());
   Grid<double> terrain(map.width(), map.height(), 1);
   for (const Cell cell : every_cell(map)) {
+    if (check()) break;
     states[cell] = map.state(cell);
     if (clearance[cell] <= width) terrain[cell] = kDear;
   }
@@ -111,7 +114,7 @@ Path cheapest_path(const FreeSpace& space, Cell start, Cell goal, GridMoves move
 
 /// The cells that a robot wider than `width` can reach from the start. O(cells).
 BitGrid reach_of_a_wider_robot(const FreeSpace& space, Cell start, std::uint32_t width,
-                               Adjacency adjacency) {
+                               Adjacency adjacency, DeadlineCheck& check) {
   const int stride = adjacency == Adjacency::edges ? 2 : 1;
   BitGrid reached(space.width(), space.height());
   std::vector<Cell> open;
@@ -121,7 +124,7 @@ BitGrid reach_of_a_wider_robot(const FreeSpace& space, Cell start, std::uint32_t
     open.push_back(to);
   };
   reach(start, start);
-  while (!open.empty()) {
+  while (!open.empty() && !check()) {
     const Cell from = open.back();
     open.pop_back();
     for (int direction = 0; direction < kDirections; direction += stride) {
@@ -134,10 +137,10 @@ BitGrid reach_of_a_wider_robot(const FreeSpace& space, Cell start, std::uint32_t
 
 /// Where a wider robot is stuck that comes along the path as far as it can.
 Point narrowest_point(const FreeSpace& space, std::span<const Cell> cells, std::uint32_t width,
-                      Adjacency adjacency) {
+                      Adjacency adjacency, DeadlineCheck& check) {
   if (cells.empty()) return {};
   const auto& clearance = space.squared_half_cell_clearance();
-  const BitGrid wider = reach_of_a_wider_robot(space, cells.front(), width, adjacency);
+  const BitGrid wider = reach_of_a_wider_robot(space, cells.front(), width, adjacency, check);
   std::size_t next = cells.size() - 1;
   while (next > 0 && !wider[cells[next - 1]]) --next;
   const Cell to = cells[next];
@@ -165,14 +168,19 @@ std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell g
   if (!width || check.now()) return std::nullopt;
   // Where there is no obstacle, the farthest that a FreeSpace looks.
   const double cells = std::sqrt(static_cast<double>(*width)) / 2;
-  const FreeSpace widest =
-      *make_free_space(with_narrow_cells_dear(space, *width), {.footprint = Footprint::disc(cells),
-                                                               .unknown = space.options().unknown,
-                                                               .outside = space.outside()});
+  const GridMap map = with_narrow_cells_dear(space, *width, check);
   if (check.now()) return std::nullopt;
-  Path path = cheapest_path(widest, start, goal, moves, check.deadline());
+  const FreeSpaceOptions options{.footprint = Footprint::disc(cells),
+                                 .unknown = space.options().unknown,
+                                 .outside = space.outside()};
+  const Deadline never;
+  const auto widest = make_free_space(Obstacles(map, options.obstacles()), options.robot(),
+                                      check.deadline() == nullptr ? never : *check.deadline());
+  if (!widest || check.now()) return std::nullopt;
+  Path path = cheapest_path(*widest, start, goal, moves, check.deadline());
   if (check.now()) return std::nullopt;
-  const Point narrowest = narrowest_point(widest, path.cells(), *width, moves.adjacency());
+  const Point narrowest = narrowest_point(*widest, path.cells(), *width, moves.adjacency(), check);
+  if (check.now()) return std::nullopt;
   return WidestPath{distance_in_cells(*width), narrowest, std::move(path)};
 }
 
