@@ -30,9 +30,9 @@ Expected<OptionSpec, Error> spec_of(std::string_view text, std::string_view kind
 /// Where the states of a planner lie; nothing is made of a planner on cells, whose making may take long.
 PlaceGrid places_in(Session& session, const PlannerSpec& spec) {
   const PlannerInfo* const info = planners().find(spec.name);
-  const auto space = session.free_space();
-  if (info == nullptr || !space) return {};
-  return places_of(*info, *space, spec.options);
+  const auto view = session.view();
+  if (info == nullptr || !view) return {};
+  return places_of(*info, view->space, spec.options);
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ void Lab::find_fits(const SpaceChange& change) {
 }
 
 void Lab::forget_search() {
-  replay_.begin(0, 0, 0);
+  replay_.begin(0, 0, {});
   pyramid_.forget_steps();
   points_.clear();
   solutions_.clear();
