@@ -48,9 +48,9 @@ std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count,
   return connected_pairs(space.passable(), space.components(), Adjacency::edges, count, random);
 }
 
-std::vector<Query> random_drives(const FreeSpace& space, const PlaceGrid& corners,
+std::vector<Query> random_drives(const FreeSpace& space, const PlaceGrid& places,
                                  std::uint64_t count, std::uint64_t seed) {
-  const CarDriving driving{.unit = corners.spacing};
+  const CarDriving driving{.unit = places.spacing};
   std::vector<Query> queries;
   if (!has_room_for(space.map(), driving)) return queries;
   const CarLattice lattice(space, driving);

@@ -24,9 +24,9 @@ std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count, 
 
 /// Queries for the car: from a lattice vertex and a heading to another vertex and a heading. Both
 /// vertices are free and connected if headings are ignored, so most queries have a path, but not all.
-/// All lie on these corners. The same seed gives the same queries. Empty if
+/// All lie on these corners of cells. The same seed gives the same queries. Empty if
 /// the map has no such pair. O(cells + count).
-std::vector<Query> random_drives(const FreeSpace& space, const PlaceGrid& corners,
+std::vector<Query> random_drives(const FreeSpace& space, const PlaceGrid& places,
                                  std::uint64_t count, std::uint64_t seed);
 
 }  // namespace wend
