@@ -60,6 +60,12 @@ function(wend_add_module module)
     if(${module} IN_LIST wend_cold_modules)
       wend_compile_text(wend_${module})
     endif()
+    # What is inlined into a loop that searches depends on what else is in its source: these are compiled alone.
+    if(module STREQUAL "planner")
+      set(loops ${sources})
+      list(FILTER loops INCLUDE REGEX "/(best_first|ara_star|random_walk|jps|d_star_lite|[a-z_]*_engine)\\.cpp$")
+      set_source_files_properties(${loops} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
     # It gives a type of its anonymous namespace to a class of its header, which a unity source may not.
     if(module STREQUAL "render")
       set_source_files_properties(render/animation/gif.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

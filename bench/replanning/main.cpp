@@ -153,8 +153,8 @@ std::unique_ptr<Planner> made(const std::string& name, const FreeSpace& space,
 
 /// A* in whole numbers with the classes of cells, without leaps: the yardstick.
 std::unique_ptr<Planner> scratch_without_leaps(const FreeSpace& space) {
-  return std::make_unique<GridPlanner>(space, [](const FreeSpace& other) {
-    return leap_parts(other, {{}, HeuristicKind::octile, 0, 1, false});
+  return std::make_unique<GridPlanner>(space, [](const FreeSpace& other, DeadlineCheck& stop) {
+    return leap_parts(other, {{}, HeuristicKind::octile, 0, 1, false}, 0, stop);
   });
 }
 
@@ -167,8 +167,6 @@ std::vector<Contestant> contestants() {
   return {{"A* from scratch", scratch_without_leaps},
           named("astar", "astar", {}),
           named("d_star_lite", "d_star_lite", {}),
-          named("tree", "replanner", {{"search", "tree"}}),
-          named("leaps", "replanner", {{"search", "leaps"}}),
           named("replanner", "replanner", {})};
 }
 
