@@ -24,6 +24,7 @@ int hand_over(const std::string& command, const std::vector<std::string>& words)
   std::vector<std::string> strings{program};
   strings.insert(strings.end(), words.begin(), words.end());
   std::vector<char*> arguments;
+  arguments.reserve(strings.size() + 1);
   for (std::string& word : strings) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execv(program.c_str(), arguments.data());

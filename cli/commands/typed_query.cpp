@@ -192,7 +192,7 @@ std::optional<CostToGo> PoseQuery::cost_to_go(GridMoves /*moves*/, const Limits&
   return std::nullopt;
 }
 
-SearchRecorder PoseQuery::recorder() const { return SearchRecorder(space_, places_); }
+SearchRecorder PoseQuery::recorder() const { return {space_, places_}; }
 
 PosthocTrace PoseQuery::trace(TraceForm form, std::uint64_t most_events) const {
   return {space_, query(), places_, form, most_events};

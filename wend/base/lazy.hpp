@@ -51,7 +51,7 @@ class Lazy {
         made_.store(true, std::memory_order_release);
       }
     }
-    return &*value_;
+    return &*value_;  // NOLINT(bugprone-unchecked-optional-access): it has been made
   }
 
   /// Has the value been made?

@@ -242,19 +242,23 @@ class GifAnimation::Writer {
       encoder_.add(transparent(), area.width);
       return transparent();
     }
+    bool any = last.has_value();
+    Index current = last.value_or(Index{});
     int run = 0;
     for (std::size_t x = 0; x < shown.size(); ++x) {
       const bool stays = onto_another && shown[x] == written[x];
-      const Index index = stays && shown[x] != last ? transparent() : shown[x];
-      if (index != last) {
-        if (run > 0) encoder_.add(*last, run);
+      const bool repeats = any && shown[x] == current;
+      const Index index = stays && !repeats ? transparent() : shown[x];
+      if (run > 0 && index != current) {
+        encoder_.add(current, run);
         run = 0;
       }
-      last = index;
+      current = index;
+      any = true;
       ++run;
     }
-    encoder_.add(*last, run);
-    return *last;
+    encoder_.add(current, run);
+    return current;
   }
 
   /// What the library would compress pixel by pixel.
