@@ -62,7 +62,7 @@ TEST(KeptCells, AreJoinedByAsFewMoreAsPossible) {
     }
     opened += kept->opened.empty() ? 0 : 1;
   }
-  EXPECT_GT(opened, 50);
+  EXPECT_GT(opened, test::share_of(50));
 }
 
 TEST(KeptCells, AreAllJoined) {
