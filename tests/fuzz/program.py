@@ -311,7 +311,9 @@ class Fuzzer:
         for name, text in (('errors', err), ('output', out)):
             if CONTROL.search(text):
                 return f'its {name} have the control character {CONTROL.search(text).group()!r}'
-        if code in (0, 1) and out and any(a == '--format' and b == 'json' for a, b in zip(words, words[1:])):
+        helps = any(word.startswith('--help') for word in words)  # which goes before everything else
+        json_wanted = any(a == '--format' and b == 'json' for a, b in zip(words, words[1:]))
+        if code in (0, 1) and out and json_wanted and not helps:
             try:
                 json.loads(out, parse_constant=lambda constant: 1 / 0)
             except (ValueError, ZeroDivisionError):
