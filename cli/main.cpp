@@ -6,12 +6,14 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,35 @@ constexpr const char* kMainExamples = R"(Examples:
 
 `wend SUBCOMMAND --help` describes each subcommand.)";
 
+struct NamedCommand {
+  std::string_view name;
+  Command (*add)(Parser& app);
+};
+
+constexpr std::array kCommands{
+    NamedCommand{"plan", add_plan},         NamedCommand{"smooth", add_smooth},
+    NamedCommand{"follow", add_follow},     NamedCommand{"explore", add_explore},
+    NamedCommand{"check", add_check},       NamedCommand{"field", add_field},
+    NamedCommand{"compare", add_compare},   NamedCommand{"explain", add_explain},
+    NamedCommand{"view", add_view},         NamedCommand{"info", add_info},
+    NamedCommand{"generate", add_generate}, NamedCommand{"convert", add_convert},
+    NamedCommand{"index", add_index},       NamedCommand{"planners", add_planners}};
+
+/// The command that the first word names, alone: to add the flags of all takes longer than most of them run. All
+/// commands if it names none, but for --version, which needs none.
+std::vector<Command> commands_for(Parser& app, const Invocation& invocation) {
+  const std::string_view first = invocation.words.empty() ? "" : invocation.words.front();
+  const auto named = std::ranges::find(kCommands, first, &NamedCommand::name);
+  if (named != kCommands.end()) return {named->add(app)};
+  if (first == "--version") return {};
+  std::vector<Command> commands;
+  for (const NamedCommand& command : kCommands) commands.push_back(command.add(app));
+  for (Command& command : add_developer_commands(app, invocation)) {
+    commands.push_back(std::move(command));
+  }
+  return commands;
+}
+
 std::vector<Command> add_commands(CLI::App& app, const Invocation& invocation) {
   app.set_version_flag("--version", "wend " WEND_VERSION, "Print the version and exit");
   app.set_help_flag("-h,--help", "Print what most people need and exit");
@@ -48,15 +79,7 @@ std::vector<Command> add_commands(CLI::App& app, const Invocation& invocation) {
   app.footer(kMainExamples);
   Parser parser(app);
   add_plugin_option(parser);
-  std::vector<Command> commands{add_plan(parser),    add_smooth(parser),   add_follow(parser),
-                                add_explore(parser), add_check(parser),    add_field(parser),
-                                add_compare(parser), add_explain(parser),  add_view(parser),
-                                add_info(parser),    add_generate(parser), add_convert(parser),
-                                add_index(parser),   add_planners(parser)};
-  for (Command& command : add_developer_commands(parser, invocation)) {
-    commands.push_back(std::move(command));
-  }
-  return commands;
+  return commands_for(parser, invocation);
 }
 
 int run(const Command& command) {

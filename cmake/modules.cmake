@@ -1,6 +1,8 @@
 # Makes the library targets from wend/modules.txt: wend_<module> with the alias wend::<module>, and
 # wend::wend, which is all of them.
 
+include("${CMAKE_CURRENT_LIST_DIR}/loaded_late/loaded_late.cmake")
+
 # Sets wend_modules to the modules' names and wend_arrows_<module> to what <module> may include.
 macro(wend_read_modules)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS modules.txt)
@@ -107,11 +109,12 @@ function(wend_link_program target)
   list(TRANSFORM wend_report_modules PREPEND wend_ OUTPUT_VARIABLE report_libraries)
   foreach(library IN LISTS ARGN report_libraries)
     get_target_property(needs ${library} LINK_LIBRARIES)
-    list(FILTER needs EXCLUDE REGEX "^wend_")
+    list(FILTER needs EXCLUDE REGEX "^wend_|::wend_(cairo|chafa)$")
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${library}>)
     target_link_libraries(${target} PRIVATE ${needs})
   endforeach()
   target_link_libraries(${target} PRIVATE wend_shared)
+  wend_load_drawing_late(${target})
   file(RELATIVE_PATH to_library "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
   # The build tree has the library where an installation has it, so that both can have the same path. CMake would
   # make room for another one with colons, and an empty path is the current folder, whose libraries anybody may
