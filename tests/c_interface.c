@@ -96,6 +96,17 @@ static void check_poses(wend_session* session) {
   CHECK(wend_session_fits(session, &nearest, &fits, NULL) == WEND_OK && fits == 1);
 }
 
+static void check_metrics(const wend_plan* plan) {
+  size_t i;
+  double value = -1;
+  CHECK(wend_plan_metric(plan, "length", &value, NULL) == WEND_OK && fabs(value - 3) < 1e-12);
+  for (i = 0; i < wend_metric_count(); ++i) {
+    CHECK(wend_plan_metric(plan, wend_metric_name(i), &value, NULL) == WEND_OK && value >= 0);
+    CHECK(wend_metric_help(i)[0] != '\0' && wend_metric_unit(i) != NULL);
+  }
+  CHECK(wend_metric_name(i) == NULL);
+}
+
 static void check_plan(wend_session* session, const wend_request* request) {
   wend_plan* plan = NULL;
   wend_error error;
@@ -111,6 +122,7 @@ static void check_plan(wend_session* session, const wend_request* request) {
   CHECK(fabs(wend_plan_goal_shift(plan) -
              hypot(request->goals->x - poses[6].x, request->goals->y - poses[6].y)) < 1e-12);
   CHECK(wend_plan_expanded(plan) > 0 && wend_plan_generated(plan) >= wend_plan_expanded(plan));
+  check_metrics(plan);
   wend_plan_free(plan);
   CHECK(wend_session_replan(session, request, &plan, NULL) == WEND_OK);
   CHECK(wend_plan_cost(plan) == 6 && wend_plan_kept(plan) == 0);

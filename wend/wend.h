@@ -411,6 +411,20 @@ WEND_C_API uint64_t wend_plan_expanded(const wend_plan* plan);
 /// The states that the search reached; 0 for null.
 WEND_C_API uint64_t wend_plan_generated(const wend_plan* plan);
 
+/// The number of metrics that wend_plan_metric() knows: of the path, then of its search.
+WEND_C_API size_t wend_metric_count(void);
+/// The name of a metric: "length", "turning", "smallest_clearance", "expanded", ...; null for an index of
+/// wend_metric_count() or more.
+WEND_C_API const char* wend_metric_name(size_t index);
+/// Its unit: "m", "rad", or "" for a count; null as above.
+WEND_C_API const char* wend_metric_unit(size_t index);
+/// What it is, in a sentence without its full stop; null as above.
+WEND_C_API const char* wend_metric_help(size_t index);
+/// Writes a metric of the plan to `value`; infinity for the turning radius of a line, and for the clearance if nothing
+/// is near. The first call measures the path, in O(cells). Fails with WEND_INVALID_OPTION for an unknown name.
+WEND_C_API wend_status wend_plan_metric(const wend_plan* plan, const char* name, double* value,
+                                        wend_error* error);
+
 /// The length in metres of the way out that the path begins with (wend_request.escape); 0 without one, NaN for null.
 WEND_C_API double wend_plan_lead_out_length(const wend_plan* plan);
 /// How many poses of that way come before the first one where the robot fits; 0 without one, and for null.

@@ -109,6 +109,11 @@ inline std::string check_plan(const wend_plan* plan) {
   if (wend_plan_pose_count(plan) == 0 || wend_plan_poses(plan) == nullptr) return "an empty path";
   if (!(wend_plan_cost(plan) >= 0)) return "a path without a cost";
   if (!(wend_plan_bound(plan) >= 1)) return "a path that is better than the best";
+  for (std::size_t i = 0; i < wend_metric_count(); ++i) {
+    double value = -1;
+    const wend_status status = wend_plan_metric(plan, wend_metric_name(i), &value, nullptr);
+    if (status != WEND_OK || !(value >= 0)) return "a metric that cannot be";
+  }
   return {};
 }
 
