@@ -1,7 +1,7 @@
 #include "python/src/errors.hpp"
 
 #include "python/src/metrics.hpp"
-#include "wend/search/search_metrics.hpp"
+#include "wend/session/plan_request.hpp"
 
 namespace nb = nanobind;
 

@@ -24,7 +24,7 @@
 #include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
-#include "wend/search/search_metrics.hpp"
+#include "wend/session/plan_request.hpp"
 
 namespace nb = nanobind;
 
