@@ -96,10 +96,40 @@ static void check_poses(wend_session* session) {
   CHECK(wend_session_fits(session, &nearest, &fits, NULL) == WEND_OK && fits == 1);
 }
 
+static void check_fields(const wend_request* request) {
+  size_t i;
+  wend_error error;
+  wend_field_info info;
+  wend_request set = *request;
+  CHECK(wend_request_set(&set, "goal_tolerance", 0.2, &error) == WEND_OK && set.tolerance == 0.2);
+  CHECK(wend_request_set(&set, "nearest", 1, NULL) == WEND_OK && set.nearest == 1);
+  CHECK(wend_request_set(&set, "neerest", 1, &error) == WEND_INVALID_OPTION);
+  CHECK(strstr(error.message, "did you mean 'nearest'?") != NULL);
+  for (i = 0; i < wend_request_field_count(); ++i) {
+    CHECK(wend_request_field_at(i, &info) == WEND_OK && info.help[0] != '\0' && info.unit != NULL);
+    CHECK(wend_request_set(&set, info.name, info.default_value, NULL) == WEND_OK);
+    CHECK(wend_request_set(&set, info.name, info.least - 1, NULL) == WEND_INVALID_OPTION);
+  }
+  CHECK(wend_request_field_at(i, &info) == WEND_INVALID_ARGUMENT);
+  CHECK(set.tolerance == 0 && set.nearest == 0 && set.expansions == UINT64_MAX);
+}
+
+static void check_metrics(const wend_plan* plan) {
+  size_t i;
+  double value = -1;
+  CHECK(wend_plan_metric(plan, "length", &value, NULL) == WEND_OK && fabs(value - 3) < 1e-12);
+  for (i = 0; i < wend_metric_count(); ++i) {
+    CHECK(wend_plan_metric(plan, wend_metric_name(i), &value, NULL) == WEND_OK && value >= 0);
+    CHECK(wend_metric_help(i)[0] != '\0' && wend_metric_unit(i) != NULL);
+  }
+  CHECK(wend_metric_name(i) == NULL);
+}
+
 static void check_plan(wend_session* session, const wend_request* request) {
   wend_plan* plan = NULL;
   wend_error error;
   const wend_pose* poses;
+  check_fields(request);
   CHECK(wend_session_plan(session, request, &plan, &error) == WEND_OK);
   CHECK(wend_plan_pose_count(plan) == 7);
   poses = wend_plan_poses(plan);
@@ -111,6 +141,7 @@ static void check_plan(wend_session* session, const wend_request* request) {
   CHECK(fabs(wend_plan_goal_shift(plan) -
              hypot(request->goals->x - poses[6].x, request->goals->y - poses[6].y)) < 1e-12);
   CHECK(wend_plan_expanded(plan) > 0 && wend_plan_generated(plan) >= wend_plan_expanded(plan));
+  check_metrics(plan);
   wend_plan_free(plan);
   CHECK(wend_session_replan(session, request, &plan, NULL) == WEND_OK);
   CHECK(wend_plan_cost(plan) == 6 && wend_plan_kept(plan) == 0);

@@ -37,7 +37,8 @@
 // all threads may read them. Free an object when no other thread uses it.
 //
 // Growth: structures with a `struct_size` are made by their init function, which sets the defaults and takes
-// the size that the caller was compiled with. A structure of another size is an error. A program that may run
+// the size that the caller was compiled with. A structure of another size is an error. New fields of a request have no
+// member: wend_request_set() sets them by name. A program that may run
 // with another library than that of its header compares wend_abi_version() with WEND_ABI_VERSION first.
 
 #include <stddef.h>
@@ -363,10 +364,34 @@ typedef struct wend_request {
       nearest_limit;  // metres, >= 0: how far at most; default NaN: 1, on a map without a resolution any distance
   const wend_cancel*
       cancel;  // ends the call with WEND_CANCELLED when another thread sets it; default null
+  double by_name[32];  // the fields without a member, which wend_request_set() sets; NaN: unset
 } wend_request;
 
 /// Sets the defaults. `struct_size` is sizeof(wend_request). Start and goals have none.
 WEND_C_API wend_status wend_request_init(wend_request* request, size_t struct_size);
+
+/// Sets a field by name: one with a member ("tolerance", "nearest": 0 or 1), or one that a later library added to the
+/// list, so that the structure keeps its size. Names are those of wend_request_field_at() and their older ones. Fails
+/// with WEND_INVALID_OPTION for an unknown name, with the most similar one in the message, and for a value that is not
+/// in the field's range.
+WEND_C_API wend_status wend_request_set(wend_request* request, const char* name, double value,
+                                        wend_error* error);
+
+/// A field of a request. The texts belong to the library and stay.
+typedef struct wend_field_info {
+  const char* name;  // "goal_tolerance"
+  const char* unit;  // "m", "rad", "s", or ""
+  const char* help;  // what it is, without a full stop
+  int32_t flag;      // 1 if its values are 0 and 1 only
+  double least;      // the least and the greatest value
+  double greatest;
+  double default_value;  // NaN where it has none
+} wend_field_info;
+
+/// The number of fields that wend_request_set() knows.
+WEND_C_API size_t wend_request_field_count(void);
+/// Writes what is known of a field. Fails with WEND_INVALID_ARGUMENT for an index of wend_request_field_count() or more.
+WEND_C_API wend_status wend_request_field_at(size_t index, wend_field_info* info);
 
 /// Plans. If there is no path, the status says what happened, the message where, why and what would help.
 /// Free the plan with wend_plan_free().
@@ -410,6 +435,20 @@ WEND_C_API int32_t wend_plan_kept(const wend_plan* plan);
 WEND_C_API uint64_t wend_plan_expanded(const wend_plan* plan);
 /// The states that the search reached; 0 for null.
 WEND_C_API uint64_t wend_plan_generated(const wend_plan* plan);
+
+/// The number of metrics that wend_plan_metric() knows: of the path, then of its search.
+WEND_C_API size_t wend_metric_count(void);
+/// The name of a metric: "length", "turning", "smallest_clearance", "expanded", ...; null for an index of
+/// wend_metric_count() or more.
+WEND_C_API const char* wend_metric_name(size_t index);
+/// Its unit: "m", "rad", or "" for a count; null as above.
+WEND_C_API const char* wend_metric_unit(size_t index);
+/// What it is, in a sentence without its full stop; null as above.
+WEND_C_API const char* wend_metric_help(size_t index);
+/// Writes a metric of the plan to `value`; infinity for the turning radius of a line, and for the clearance if nothing
+/// is near. The first call measures the path, in O(cells). Fails with WEND_INVALID_OPTION for an unknown name.
+WEND_C_API wend_status wend_plan_metric(const wend_plan* plan, const char* name, double* value,
+                                        wend_error* error);
 
 /// The length in metres of the way out that the path begins with (wend_request.escape); 0 without one, NaN for null.
 WEND_C_API double wend_plan_lead_out_length(const wend_plan* plan);

@@ -1,5 +1,8 @@
 #include "python/src/errors.hpp"
 
+#include "python/src/metrics.hpp"
+#include "wend/session/plan_request.hpp"
+
 namespace nb = nanobind;
 
 namespace wend::python {
@@ -9,7 +12,7 @@ nb::object exception_of(const Failed& failed, const nb::object& unread) {
   const std::string status(to_string(error.status));
   nb::object work = nb::none();
   if (failed.work) {
-    work = nb::make_tuple(failed.work->expanded, failed.work->generated, failed.work->max_frontier);
+    work = numbers_of(metrics_of(*failed.work));
   }
   const nb::object make_error = nb::module_::import_("wend._errors").attr("make_error");
   return make_error(nb::str(status.c_str()), nb::str(error.message.data(), error.message.size()),

@@ -17,12 +17,14 @@
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/interrupts.hpp"
+#include "python/src/metrics.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/path/gears.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
+#include "wend/session/plan_request.hpp"
 
 namespace nb = nanobind;
 
@@ -81,18 +83,10 @@ auto points_of(const Planned& plan) {
   return owned_array<double, 2>(std::move(numbers), {rows, 2});
 }
 
-nb::dict quality_of(const Planned& plan) {
-  const double metre = plan.answer.space.map().frame().resolution;
-  const PathMetrics metrics =
+nb::list quality_of(const Planned& plan) {
+  const auto metrics =
       unlocked([&] { return value_or_throw(measure(plan.path(), plan.answer.space)); });
-  nb::dict quality;
-  quality["length"] = metrics.length * metre;
-  quality["turning"] = metrics.turning;
-  quality["smallest_turning_radius"] = metrics.smallest_turning_radius * metre;
-  quality["reversals"] = metrics.reversals;
-  quality["smallest_clearance"] = metrics.smallest_clearance * metre;
-  quality["mean_clearance"] = metrics.mean_clearance * metre;
-  return quality;
+  return numbers_of(metrics_of(metrics), plan.answer.space.map().frame().resolution);
 }
 
 Planned smoothed(const Planned& plan, std::optional<std::string> smoother,
@@ -222,6 +216,8 @@ OptionValues options_of(const nb::dict& options) {
 }
 
 void bind_plan(nb::module_& module) {
+  module.def("path_metrics", [] { return fields_of(metrics_of(PathMetrics{})); });
+  module.def("search_metrics", [] { return fields_of(metrics_of(SearchMetrics{})); });
   nb::class_<Planned>(module, "Plan", "A path, and what found it.")
       .def("path", &path_of)
       .def("cells", &cells_of)
@@ -233,11 +229,9 @@ void bind_plan(nb::module_& module) {
                    [](const Planned& plan) {
                      return plan.path().length() * plan.answer.space.map().frame().resolution;
                    })
-      .def_prop_ro("work",
-                   [](const Planned& plan) {
-                     const SearchMetrics& work = plan.answer.plan.metrics;
-                     return std::tuple(work.expanded, work.generated, work.max_frontier);
-                   })
+      .def_prop_ro(
+          "work",
+          [](const Planned& plan) { return numbers_of(metrics_of(plan.answer.plan.metrics)); })
       .def_prop_ro("seconds", [](const Planned& plan) { return plan.answer.search_seconds; })
       .def_prop_ro("notes", [](const Planned& plan) { return plan.answer.notes; })
       .def_prop_ro("lead_out", &lead_out_of)

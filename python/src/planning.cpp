@@ -2,12 +2,15 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
 #include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/vector.h>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,55 +25,62 @@
 #include "wend/planner/planners.hpp"
 #include "wend/session/eased_query.hpp"
 #include "wend/session/explainer.hpp"
+#include "wend/session/request_fields.hpp"
 
 namespace nb = nanobind;
 
 namespace wend::python {
 namespace {
 
-double not_negative(double value, const std::string& name) {
-  if (!(value >= 0)) {
-    throw_failure(Status::invalid_option, name + " must be at least 0", name);
+/// What Python says of a request besides its ends: a planner and its options, and fields of the request by name. Those
+/// that Python's functions do not name come among the options.
+class Settings {
+ public:
+  Settings(std::string planner, const nb::dict& options, const nb::dict& fields)
+      : planner_{std::move(planner)} {
+    for (const auto& [name, text] : options_of(options)) {
+      if (const RequestField* const field = request_field(name)) {
+        take(*field, name, value_or_throw(field->number_of(text)));
+      } else {
+        planner_.options.emplace_back(name, text);
+      }
+    }
+    for (const auto [name, value] : fields) {
+      const RequestField* const field = request_field(nb::cast<std::string_view>(name));
+      if (field == nullptr || value.is_none()) continue;
+      take(*field, nb::cast<std::string_view>(name), number_of(*field, value));
+    }
   }
-  return value;
-}
 
-/// What Python says of a search besides its ends.
-struct SearchSettings {
-  PlannerSpec planner;
-  Limits limits = {};
+  const PlannerSpec& planner() const { return planner_; }
+
+  /// Puts all but the ends into a request that has its goals.
+  void put(PlanRequest& request, const FreeSpace& space) const {
+    request.planner = planner_;
+    for (const auto& [field, value] : values_) {
+      field->put(request, value, space.map().frame().resolution);
+    }
+  }
+
+ private:
+  static double number_of(const RequestField& field, nb::handle value) {
+    try {
+      if (field.info.kind == OptionKind::flag) return nb::cast<bool>(value) ? 1 : 0;
+      if (field.info.kind == OptionKind::number) return nb::cast<double>(value);
+      return static_cast<double>(nb::cast<std::int64_t>(value));
+    } catch (const nb::cast_error&) {
+      throw nb::type_error(field.info.name.c_str());
+    }
+  }
+
+  void take(const RequestField& field, std::string_view name, double value) {
+    if (auto fault = field.fault_of(value, name)) throw Failed(*std::move(fault));
+    values_.emplace_back(&field, value);
+  }
+
+  PlannerSpec planner_;
+  std::vector<std::pair<const RequestField*, double>> values_;
 };
-
-SearchSettings settings_of(std::string planner, const nb::dict& options,
-                           std::optional<double> time_limit,
-                           std::optional<std::int64_t> expansions) {
-  SearchSettings settings{{std::move(planner), options_of(options)}};
-  if (time_limit) {
-    settings.limits.seconds = not_negative(*time_limit, "time_limit");
-  }
-  if (expansions && *expansions < 0) {
-    throw_failure(Status::invalid_option, "expansions must be at least 0", "expansions");
-  }
-  if (expansions) settings.limits.expansions = static_cast<std::uint64_t>(*expansions);
-  return settings;
-}
-
-/// What Python says a query may do where the robot cannot be.
-struct LeewaySettings {
-  bool nearest = false;
-  std::optional<double> nearest_limit;
-  double escape = 0;
-  bool closest = false;
-};
-
-void allow(PlanRequest& request, const LeewaySettings& leeway) {
-  request.nearest = leeway.nearest;
-  if (leeway.nearest_limit) {
-    request.nearest_limit = not_negative(*leeway.nearest_limit, "nearest_limit");
-  }
-  request.escape = not_negative(leeway.escape, "escape");
-  request.closest = leeway.closest;
-}
 
 MapGoal goal_of(nb::handle goal) {
   const Coordinates at = coordinates_of(goal, "goal");
@@ -80,16 +90,11 @@ MapGoal goal_of(nb::handle goal) {
   return read;
 }
 
-PlanRequest request_of(nb::handle start, const nb::list& goals, SearchSettings settings,
-                       double tolerance, double heading_tolerance) {
+PlanRequest request_of(nb::handle start, const nb::list& goals, const Settings& settings,
+                       const FreeSpace& space) {
   PlanRequest request{coordinates_of(start, "start").pose(), {}};
   for (const nb::handle goal : goals) request.goals.push_back(goal_of(goal));
-  request.planner = std::move(settings.planner);
-  request.limits = settings.limits;
-  for (MapGoal& goal : request.goals) {
-    goal.tolerance = not_negative(tolerance, "tolerance");
-    goal.heading_tolerance = not_negative(heading_tolerance, "heading_tolerance");
-  }
+  settings.put(request, space);
   return request;
 }
 
@@ -136,27 +141,20 @@ class Reason {
 }
 
 Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
-             const nb::dict& options, std::optional<double> time_limit,
-             std::optional<std::int64_t> expansions, bool nearest,
-             std::optional<double> nearest_limit, double escape, bool closest, double tolerance,
-             double heading_tolerance, Recording* recording, std::optional<double> keep) {
-  PlanRequest request =
-      request_of(start, goals, settings_of(std::move(planner), options, time_limit, expansions),
-                 tolerance, heading_tolerance);
-  allow(request, {nearest, nearest_limit, escape, closest});
+             const nb::dict& options, const nb::dict& fields, Recording* recording, bool again) {
+  const Session::View view = space.view();
+  PlanRequest request = request_of(start, goals, {std::move(planner), options, fields}, view.space);
   if (recording != nullptr) {
     const PlannerInfo* const info = planners().find(request.planner.name);
     recording->on_corners = info != nullptr && info->capabilities.vertices == Vertices::corners;
   }
   request.observer = recording;
   request.explain = false;
-  if (keep) request.keep = not_negative(*keep, "keep");
-  const Session::View view = space.view();
   Interrupts interrupts;
   interrupts.watch(request.limits);
   auto answer = [&] {
     const nb::gil_scoped_release unlocked;
-    return keep ? space.session().replan(view, request) : space.session().plan(view, request);
+    return again ? space.session().replan(view, request) : space.session().plan(view, request);
   }();
   interrupts.throw_if_interrupted();
   if (!answer) raise_unexplained(space, view, std::move(request), answer.error());
@@ -165,10 +163,10 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
 
 /// A list of Plan, or of exceptions where there is none.
 nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& goals,
-                   std::string planner, const nb::dict& options, std::optional<double> time_limit,
-                   std::optional<std::int64_t> expansions, unsigned threads, bool nearest,
-                   std::optional<double> nearest_limit, double escape, bool closest) {
-  const SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
+                   std::string planner, const nb::dict& options, const nb::dict& fields,
+                   unsigned threads) {
+  const Settings settings(std::move(planner), options, fields);
+  const FreeSpace free = space.view().space;
   Interrupts interrupts;
   std::vector<PlanRequest> requests;
   requests.reserve(starts.size());
@@ -176,10 +174,9 @@ nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& g
     PlanRequest& request = requests.emplace_back();
     request.start = coordinates_of(starts[i], "start").pose();
     request.goals.push_back(goal_of(goals[i]));
-    request.limits = settings.limits;
+    settings.put(request, free);
     request.limits.cancel = &interrupts.cancelled();
     request.explain = false;
-    allow(request, {nearest, nearest_limit, escape, closest});
   }
   using Answers = std::vector<Expected<PlanAnswer, RequestFailure>>;
   Expected<Answers, Error> answers;
@@ -187,7 +184,7 @@ nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& g
     const nb::gil_scoped_release unlocked;
     interrupts.run([&] {
       ThreadWorkers workers(threads);
-      answers = space.session().plan_all(requests, settings.planner, workers);
+      answers = space.session().plan_all(requests, settings.planner(), workers);
     });
   }
   interrupts.throw_if_interrupted();
@@ -290,19 +287,27 @@ class Solutions {
 
 std::unique_ptr<Solutions> solutions(const Space& space, nb::handle start, const nb::list& goals,
                                      std::string planner, const nb::dict& options,
-                                     std::optional<double> time_limit,
-                                     std::optional<std::int64_t> expansions, bool nearest,
-                                     std::optional<double> nearest_limit, double escape,
-                                     bool closest, double tolerance, double heading_tolerance) {
-  SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
-  PlanRequest request = request_of(start, goals, std::move(settings), tolerance, heading_tolerance);
-  allow(request, {nearest, nearest_limit, escape, closest});
-  return std::make_unique<Solutions>(space.view().space, std::move(request));
+                                     const nb::dict& fields) {
+  const FreeSpace free = space.view().space;
+  return std::make_unique<Solutions>(
+      free, request_of(start, goals, {std::move(planner), options, fields}, free));
+}
+
+/// Name, other names, kind, unit, default and meaning of each field of a request.
+nb::list fields_of_requests() {
+  nb::list list;
+  for (const RequestField& field : request_fields()) {
+    list.append(nb::make_tuple(field.info.name, field.info.aliases,
+                               std::string(to_string(field.info.kind)), std::string(field.unit),
+                               field.default_value, field.info.help));
+  }
+  return list;
 }
 
 }  // namespace
 
 void bind_solutions(nb::module_& module) {
+  module.def("request_fields", &fields_of_requests);
   nb::class_<Reason>(module, "Reason", "Why there is no path, not yet found out.")
       .def("text", &Reason::text);
   nb::class_<Solutions>(module, "Solutions", "The paths of an anytime planner, one by one.")
@@ -312,18 +317,11 @@ void bind_solutions(nb::module_& module) {
 void bind_planning(nb::class_<Space>& space) {
   space
       .def("plan", &plan, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
-           nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
-           nb::arg("nearest"), nb::arg("nearest_limit").none(), nb::arg("escape"),
-           nb::arg("closest"), nb::arg("tolerance"), nb::arg("heading_tolerance"),
-           nb::arg("recording").none(), nb::arg("keep").none())
+           nb::arg("options"), nb::arg("fields"), nb::arg("recording").none(), nb::arg("again"))
       .def("solutions", &solutions, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
-           nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
-           nb::arg("nearest"), nb::arg("nearest_limit").none(), nb::arg("escape"),
-           nb::arg("closest"), nb::arg("tolerance"), nb::arg("heading_tolerance"))
+           nb::arg("options"), nb::arg("fields"))
       .def("plan_many", &plan_many, nb::arg("starts"), nb::arg("goals"), nb::arg("planner"),
-           nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
-           nb::arg("threads"), nb::arg("nearest"), nb::arg("nearest_limit").none(),
-           nb::arg("escape"), nb::arg("closest"));
+           nb::arg("options"), nb::arg("fields"), nb::arg("threads"));
 }
 
 }  // namespace wend::python

@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
-
-if TYPE_CHECKING:
-    from . import _core
+from . import _core
+from ._listed import Listed
 
 __all__ = ["Error", "InvalidArgument", "Metrics", "NoPath"]
 
 
-class Metrics(NamedTuple):
+class Metrics(Listed[int], fields=_core.search_metrics()):
     """The work of one search."""
 
-    expanded: int
-    """States taken from the frontier; the goal counts."""
-    generated: int
-    """States that were reached; the start counts."""
-    max_frontier: int
-    """The most states that were open at the same time."""
+    __slots__ = ()
 
 
 class Error(Exception):
@@ -99,7 +92,7 @@ _NOT_A_SEARCH = _INVALID | {"invalid_file", "index_missing", "index_mismatch"}
 
 
 def make_error(
-    status: str, message: str, where: str, work: tuple[int, int, int] | None, unread: _core.Reason | None = None
+    status: str, message: str, where: str, work: list[int] | None, unread: _core.Reason | None = None
 ) -> Error:
     """The exception of an error of the C++ side. `work` is set if it is that of a search, `unread` if its reason is found
     out when it is read."""

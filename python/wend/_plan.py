@@ -11,6 +11,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import text_of
 from ._errors import Metrics
+from ._listed import Listed
 from ._pictures import colours_of, plot, svg_of
 from ._types import named_types
 
@@ -20,19 +21,11 @@ if TYPE_CHECKING:
 __all__ = ["Drive", "LeadOut", "Plan", "Quality", "Trajectory", "follow"]
 
 
-class Quality(NamedTuple):
-    """Measures of a path: metres and radians."""
+class Quality(Listed[float], fields=_core.path_metrics()):
+    """Measures of a path: metres and radians. Radii are infinite for a straight path, and clearances where nothing is
+    near."""
 
-    length: float
-    turning: float
-    """The sum of all changes of heading."""
-    smallest_turning_radius: float
-    """0 if the path has a corner, infinite if it is straight."""
-    reversals: int
-    """Changes between forwards and reverse."""
-    smallest_clearance: float
-    """The least distance from the path to an obstacle; exact along the whole path."""
-    mean_clearance: float
+    __slots__ = ()
 
 
 class LeadOut(NamedTuple):
@@ -190,7 +183,7 @@ class Plan:
         >>> wend.Map([[0, 0, 0]]).free_space().plan((0, 0), (2, 0)).quality().length
         2.0
         """
-        return Quality(**self._inner.quality())
+        return Quality(*self._inner.quality())
 
     @named_types
     def smooth(

@@ -26,7 +26,14 @@ __all__ = ["DriveExplanation", "Explanation", "FreeSpace", "Way"]
 Connectivity = Literal[4, 8]
 CornerRule = Literal["none", "one", "both"]
 
+_FIELDS = {name for first, others, *_ in _core.request_fields() for name in (first, *others)}  # of a request
+
 _LEAST_PART = 50  # queries that plan_many() plans between two looks at its progress
+
+
+def _fields_of(arguments: dict[str, Any]) -> dict[str, Any]:
+    """The arguments of a function that are fields of a request."""
+    return {name: value for name, value in arguments.items() if name in _FIELDS}
 
 
 class Way(NamedTuple):
@@ -158,23 +165,9 @@ class FreeSpace:
         ...
         wend.InvalidArgument: option 'connectivity': '5' is not one of 4, 8
         """
+        fields = _fields_of(locals())
         return Plan(
-            self._inner.plan(
-                start,
-                goals_of(goal),
-                planner,
-                text_of(options) if options else {},
-                time_limit,
-                expansions,
-                nearest,
-                nearest_limit,
-                escape,
-                closest,
-                tolerance,
-                heading_tolerance,
-                None,
-                None,
-            ),
+            self._inner.plan(start, goals_of(goal), planner, text_of(options) if options else {}, fields, None, False)
         )
 
     @named_types
@@ -214,23 +207,9 @@ class FreeSpace:
         >>> space.replan(plan.path[1], (2, 2)).kept
         True
         """
+        fields = _fields_of(locals())
         return Plan(
-            self._inner.plan(
-                start,
-                goals_of(goal),
-                planner,
-                text_of(options) if options else {},
-                time_limit,
-                expansions,
-                nearest,
-                nearest_limit,
-                escape,
-                closest,
-                tolerance,
-                heading_tolerance,
-                None,
-                keep,
-            ),
+            self._inner.plan(start, goals_of(goal), planner, text_of(options) if options else {}, fields, None, True)
         )
 
     @named_types
@@ -265,12 +244,12 @@ class FreeSpace:
         >>> found.cells.tolist(), not_found.status
         ([[0, 0], [1, 0]], 'unreachable')
         """
+        fields = _fields_of(locals())
         all_starts, all_goals = list(starts), list(goals)
         if len(all_starts) != len(all_goals):
             message = f"there are {len(all_starts)} starts and {len(all_goals)} goals"
             raise InvalidArgument(message, "invalid_option", "goals")
-        leeway = (nearest, nearest_limit, escape, closest)
-        settings = (planner, text_of(options), time_limit, expansions, checked_threads(threads), *leeway)
+        settings = (planner, text_of(options), fields, checked_threads(threads))
         answers: list[Any] = []
         with progress_bar(progress, len(all_starts), " queries") as tell:
             # In parts, to say how far it is; the planners are kept from one to the next.
@@ -315,20 +294,8 @@ class FreeSpace:
         >>> [plan.bound for plan in space.solutions((0, 0), (2, 2))][-1]
         1.0
         """
-        search = self._inner.solutions(
-            start,
-            goals_of(goal),
-            planner,
-            text_of(options) if options else {},
-            time_limit,
-            expansions,
-            nearest,
-            nearest_limit,
-            escape,
-            closest,
-            tolerance,
-            heading_tolerance,
-        )
+        fields = _fields_of(locals())
+        search = self._inner.solutions(start, goals_of(goal), planner, text_of(options) if options else {}, fields)
         return (Plan(found) for found in iter(search.next, None))
 
     @named_types
@@ -350,18 +317,14 @@ class FreeSpace:
         >>> trace.expansion.tolist(), trace.g.tolist()
         ([[1, 2, 3]], [[0.0, 1.0, 2.0]])
         """
+        fields = _fields_of(locals())
         recording = _core.Recording()
         map = self.map
         goals = goals_of(goal)
         plan: Plan | None = None
         failure: NoPath | None = None
         try:
-            plan = Plan(
-                self._inner.plan(
-                    start, goals, planner, text_of(options), time_limit, expansions,
-                    False, None, 0, False, 0, 0, recording, None,
-                ),
-            )
+            plan = Plan(self._inner.plan(start, goals, planner, text_of(options), fields, recording, False))
         except NoPath as no_path:
             failure = no_path
         return Trace(map if plan is None else plan.map, recording, plan, failure)

@@ -109,6 +109,11 @@ inline std::string check_plan(const wend_plan* plan) {
   if (wend_plan_pose_count(plan) == 0 || wend_plan_poses(plan) == nullptr) return "an empty path";
   if (!(wend_plan_cost(plan) >= 0)) return "a path without a cost";
   if (!(wend_plan_bound(plan) >= 1)) return "a path that is better than the best";
+  for (std::size_t i = 0; i < wend_metric_count(); ++i) {
+    double value = -1;
+    const wend_status status = wend_plan_metric(plan, wend_metric_name(i), &value, nullptr);
+    if (status != WEND_OK || !(value >= 0)) return "a metric that cannot be";
+  }
   return {};
 }
 
@@ -156,13 +161,30 @@ class FuzzedRequest {
     request.explain = bytes.byte() % 2;
     // As many poses as a path may have take long.
     if (bytes.byte() < 64) request.spacing = std::max(bytes.number(), 0.01);
+    set_fields(bytes);
   }
   FuzzedRequest(const FuzzedRequest&) = delete;
   FuzzedRequest& operator=(const FuzzedRequest&) = delete;
 
   wend_request request{};
+  std::string wrong{};  // with a call that set a field
 
  private:
+  /// Sets fields by any names to any numbers, but for limits that would let a search take long.
+  void set_fields(FuzzedBytes& bytes) {
+    for (int i = bytes.byte() % 4; i > 0; --i) {
+      wend_field_info info{"", "", "", 0, 0, 0, 0};
+      wend_request_field_at(bytes.byte() % 32, &info);
+      const std::string name = bytes.byte() < 16 ? bytes.text() : info.name;
+      if (name == "expansions" || name == "spacing") continue;
+      wend_error error{};
+      const double value = bytes.byte() < 128 ? bytes.byte() % 2 : bytes.number();
+      const wend_status status = wend_request_set(&request, name.c_str(), value, &error);
+      wrong = check_end(status, status == WEND_OK ? &request : nullptr, error);
+      if (!wrong.empty()) return;
+    }
+  }
+
   std::string planner_;
   std::vector<wend_pose> goals_;
 };
@@ -213,6 +235,7 @@ inline std::string fuzz_c_interface(std::string_view any) {
         return wend_session_create(map.get(), robot.get(), &options, out, error);
       });
   constexpr int kLargest = 1 << 10;
+  if (wrong.empty()) wrong = request.wrong;
   if (!wrong.empty() || !session) return wrong;
   if (wend_map_width(map.get()) > kLargest / wend_map_height(map.get())) return wrong;
   return check_answers(session.get(), request.request);

@@ -39,8 +39,10 @@ std::string parse_in_range(std::string_view text, double& value, double least, d
   const auto parsed = parse_number(text);
   if (parsed ? std::isnan(*parsed) : !is_too_large(text)) return not_a_number(text);
   if (!parsed || *parsed < least || *parsed > greatest) {
-    return in_apostrophes(text) + " is not between " + format_number(least) + " and " +
-           format_number(greatest) + (unit.empty() ? "" : " " + std::string(unit));
+    const std::string range = std::isinf(greatest) ? " is less than " + format_number(least)
+                                                   : " is not between " + format_number(least) +
+                                                         " and " + format_number(greatest);
+    return in_apostrophes(text) + range + (unit.empty() ? "" : " " + std::string(unit));
   }
   value = *parsed;
   return {};

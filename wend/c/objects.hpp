@@ -13,6 +13,7 @@
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/map/obstacles.hpp"
+#include "wend/path/path_metrics.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/search/search_outcome.hpp"
 #include "wend/session/session.hpp"
@@ -82,6 +83,10 @@ struct wend_plan {
   double start_shift;           // metres
   double goal_shift;            // metres
   bool kept;
+  wend::FreeSpace space;
+  wend::Path path;
+  mutable std::once_flag measured;  // guards `measures`
+  mutable wend::Expected<wend::PathMetrics, wend::Error> measures;
 };
 
 struct wend_field {

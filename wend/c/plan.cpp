@@ -2,10 +2,16 @@
 
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "wend/base/registry.hpp"
 #include "wend/c/boundary.hpp"
 #include "wend/c/objects.hpp"
 #include "wend/path/gears.hpp"
+#include "wend/search/search_metrics.hpp"
 
 wend_plan::wend_plan(const wend::PlanAnswer& answer)
     : cost(answer.plan.cost),
@@ -16,7 +22,9 @@ wend_plan::wend_plan(const wend::PlanAnswer& answer)
       remaining(answer.remaining.value_or(std::numeric_limits<double>::quiet_NaN())),
       start_shift(answer.start_shift()),
       goal_shift(answer.goal_shift()),
-      kept(answer.kept) {
+      kept(answer.kept),
+      space(answer.space),
+      path(answer.path()) {
   for (const wend::MapPose& pose : answer.poses()) poses.push_back({pose.x, pose.y, pose.heading});
   for (const int gear : wend::gears_of(answer.path())) gears.push_back(gear);
 }
@@ -26,6 +34,39 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// All metrics of a plan, lengths in metres.
+std::vector<Metric> metrics_of(const PathMetrics& path, const SearchMetrics& search,
+                               double resolution) {
+  std::vector<Metric> metrics = wend::metrics_of(path);
+  for (const Metric& metric : wend::metrics_of(search)) metrics.push_back(metric);
+  for (Metric& metric : metrics) metric.value = metric.in_metres(resolution);
+  return metrics;
+}
+
+const std::vector<Metric>& listed_metrics() {
+  static const std::vector<Metric> listed = metrics_of(PathMetrics{}, SearchMetrics{}, 1);
+  return listed;
+}
+
+/// Null beyond the list. The texts are literals, which end with a zero.
+template <class Text>
+const char* metric_text(std::size_t index, const Text& text) {
+  const std::vector<Metric>& listed = listed_metrics();
+  return index < listed.size() ? text(listed[index]).data() : nullptr;
+}
+
+Expected<double, Failure> metric_of(const wend_plan& plan, std::string_view name) {
+  std::call_once(plan.measured, [&] { plan.measures = measure(plan.path, plan.space); });
+  if (!plan.measures) return failed(plan.measures.error());
+  const double resolution = plan.space.map().frame().resolution;
+  std::vector<std::string> names;
+  for (const Metric& metric : metrics_of(*plan.measures, plan.metrics, resolution)) {
+    if (metric.name == name) return metric.value;
+    names.emplace_back(metric.name);
+  }
+  return failed(Error{Status::invalid_option, unknown_name("metric", name, names)});
+}
 
 const CostToGo* costs_of(const wend_field* field) {
   return field == nullptr ? nullptr : field->field.costs.get();
@@ -92,6 +133,34 @@ uint64_t wend_plan_expanded(const wend_plan* plan) {
 
 uint64_t wend_plan_generated(const wend_plan* plan) {
   return plan == nullptr ? 0 : plan->metrics.generated;
+}
+
+size_t wend_metric_count() { return listed_metrics().size(); }
+
+const char* wend_metric_name(size_t index) {
+  return metric_text(index, [](const wend::Metric& metric) { return metric.name; });
+}
+
+const char* wend_metric_unit(size_t index) {
+  return metric_text(
+      index, [](const wend::Metric& metric) { return wend::metric_unit_name(metric.unit); });
+}
+
+const char* wend_metric_help(size_t index) {
+  return metric_text(index, [](const wend::Metric& metric) { return metric.help; });
+}
+
+wend_status wend_plan_metric(const wend_plan* plan, const char* name, double* value,
+                             wend_error* error) {
+  return guarded(error, [&]() -> wend::Expected<void, Failure> {
+    if (plan == nullptr) return refused("plan is null");
+    if (name == nullptr) return refused("name is null");
+    if (value == nullptr) return refused("the pointer for the value is null");
+    const auto metric = metric_of(*plan, name);
+    if (!metric) return wend::Unexpected<Failure>(metric.error());
+    *value = *metric;
+    return {};
+  });
 }
 
 double wend_plan_lead_out_length(const wend_plan* plan) {

@@ -1,5 +1,6 @@
 // Plans, and fields of costs, which plan too.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,6 +11,8 @@
 #include "tests/testing/c_objects.hpp"
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/c/boundary.hpp"
+#include "wend/path/path_metrics.hpp"
+#include "wend/search/search_metrics.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend::test {
@@ -169,6 +172,44 @@ TEST(CField, BearsNullPointers) {
   EXPECT_TRUE(std::isnan(wend_field_cost_at(nullptr, 0, 0)));
   EXPECT_EQ(wend_field_expanded(nullptr), 0U);
   wend_field_free(nullptr);
+}
+
+TEST(CPlan, HasTheMetricsOfTheCppInterface) {
+  const auto session = c_session(open_c_map(9, 9).get());
+  const wend_pose goal{7.5, 2.5, kAnyHeading};
+  const wend_request request = request_to(goal);
+  const auto plan = made_object<wend_plan>([&](wend_plan** out, wend_error* error) {
+    return wend_session_plan(session.get(), &request, out, error);
+  });
+  const std::vector<Metric> path = metrics_of(PathMetrics{});
+  ASSERT_EQ(wend_metric_count(), path.size() + metrics_of(SearchMetrics{}).size());
+  double value = 0;
+  for (std::size_t i = 0; i < wend_metric_count(); ++i) {
+    EXPECT_EQ(wend_plan_metric(plan.get(), wend_metric_name(i), &value, nullptr), WEND_OK);
+    if (i >= path.size()) continue;
+    EXPECT_EQ(wend_metric_name(i), path[i].name);
+    EXPECT_EQ(wend_metric_unit(i), metric_unit_name(path[i].unit));
+    EXPECT_EQ(wend_metric_help(i), path[i].help);
+  }
+  const auto metric = [&](const char* name) {
+    EXPECT_EQ(wend_plan_metric(plan.get(), name, &value, nullptr), WEND_OK);
+    return value;
+  };
+  EXPECT_NEAR(metric("length"), wend_plan_length(plan.get()), 1e-12);
+  EXPECT_EQ(metric("expanded"), static_cast<double>(wend_plan_expanded(plan.get())));
+  EXPECT_EQ(metric("generated"), static_cast<double>(wend_plan_generated(plan.get())));
+  EXPECT_GE(metric("max_frontier"), 1);
+  EXPECT_GT(metric("turning"), 0);
+  EXPECT_EQ(metric("smallest_turning_radius"), 0);
+  wend_error error;
+  EXPECT_EQ(wend_plan_metric(plan.get(), "lenght", &value, &error), WEND_INVALID_OPTION);
+  EXPECT_THAT(error.message, testing::HasSubstr("did you mean 'length'"));
+  EXPECT_EQ(wend_metric_name(wend_metric_count()), nullptr);
+  EXPECT_EQ(wend_metric_unit(wend_metric_count()), nullptr);
+  EXPECT_EQ(wend_metric_help(wend_metric_count()), nullptr);
+  EXPECT_EQ(wend_plan_metric(nullptr, "length", &value, nullptr), WEND_INVALID_ARGUMENT);
+  EXPECT_EQ(wend_plan_metric(plan.get(), nullptr, &value, nullptr), WEND_INVALID_ARGUMENT);
+  EXPECT_EQ(wend_plan_metric(plan.get(), "length", nullptr, nullptr), WEND_INVALID_ARGUMENT);
 }
 
 TEST(CPlan, BearsNullPointers) {

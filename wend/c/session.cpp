@@ -11,6 +11,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/c/boundary.hpp"
 #include "wend/c/objects.hpp"
+#include "wend/c/request.hpp"
 #include "wend/planner/goal_region.hpp"
 
 wend_session::wend_session(const wend::GridMap& first_map, const wend::Robot& robot,
@@ -57,31 +58,8 @@ using Done = Expected<void, Failure>;
 using SessionResult = Expected<std::unique_ptr<wend_session>, Failure>;
 using RequestResult = Expected<PlanRequest, Failure>;
 
-constexpr std::size_t kMostGoals = 1'000'000;
-
 constexpr wend_session_options kSessionDefaults{sizeof(wend_session_options), WEND_POLICY_DEFAULT,
                                                 WEND_POLICY_DEFAULT};
-
-constexpr wend_request kRequestDefaults{sizeof(wend_request),
-                                        {0, 0, 0},
-                                        nullptr,
-                                        0,
-                                        0,
-                                        0,
-                                        "astar",
-                                        Limits::kUnlimited,
-                                        std::numeric_limits<double>::infinity(),
-                                        0,
-                                        0,
-                                        1,
-                                        nullptr,
-                                        nullptr,
-                                        0,
-                                        0,
-                                        0,
-                                        0,
-                                        std::numeric_limits<double>::quiet_NaN(),
-                                        nullptr};
 
 MapPose map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading}; }
 
@@ -101,95 +79,11 @@ Expected<ObstacleOptions, Failure> obstacles_of(const wend_session_options& opti
   return obstacles;
 }
 
-/// The goals of a request; NaN is any heading.
-Expected<std::vector<MapGoal>, Failure> goals_of(const wend_request& request) {
-  if (request.goals == nullptr || request.goal_count == 0) {
-    return refused("wend_request has no goals");
-  }
-  if (request.goal_count > kMostGoals) {
-    return refused("wend_request.goal_count is " + std::to_string(request.goal_count) +
-                   ": at most " + std::to_string(kMostGoals) + " expected");
-  }
-  for (const double tolerance : {request.tolerance, request.heading_tolerance}) {
-    if (tolerance >= 0 && std::isfinite(tolerance)) continue;
-    return refused("a tolerance of wend_request is " + format_number(tolerance) +
-                   ": a finite number from 0 expected");
-  }
-  std::vector<MapGoal> goals;
-  goals.reserve(request.goal_count);
-  for (std::size_t i = 0; i < request.goal_count; ++i) {
-    const auto& [x, y, heading] = request.goals[i];
-    if (!std::isfinite(x) || !std::isfinite(y) || std::isinf(heading)) {
-      return refused("wend_request.goals[" + std::to_string(i) + "] contains NaN or infinity");
-    }
-    MapGoal& goal = goals.emplace_back(MapPoint{x, y});
-    goal.tolerance = request.tolerance;
-    goal.heading_tolerance = request.heading_tolerance;
-    if (!std::isnan(heading)) goal.heading = heading;
-  }
-  return goals;
-}
-
-Expected<PlannerSpec, Failure> planner_of(const wend_request& request) {
-  if (request.planner == nullptr) return refused("wend_request.planner is null");
-  auto specs = parse_planner_specs(request.planner);
-  if (!specs) return failed(std::move(specs.error()));
-  if (specs->size() != 1) {
-    return refused("wend_request.planner names " + std::to_string(specs->size()) +
-                   " planners: one expected");
-  }
-  return std::move(specs->front());
-}
-
-/// Goals, planner and limits: what plans and fields have in common.
-RequestResult goal_request_of(const wend_request* given) {
-  if (given == nullptr) return refused("request is null");
-  const auto request = options_of("wend_request", given, kRequestDefaults);
-  if (!request) return Unexpected<Failure>(request.error());
-  auto goals = goals_of(*request);
-  if (!goals) return Unexpected<Failure>(std::move(goals.error()));
-  auto planner = planner_of(*request);
-  if (!planner) return Unexpected<Failure>(std::move(planner.error()));
-  if (!(request->seconds >= 0)) {
-    return refused("wend_request.seconds is " + format_number(request->seconds) +
-                   ": a number from 0 expected");
-  }
-  PlanRequest asked{{}, *std::move(goals), *std::move(planner)};
-  asked.limits.expansions = request->expansions;
-  asked.limits.seconds = request->seconds;
-  if (request->cancel != nullptr) asked.limits.cancel = &request->cancel->flag;
-  return asked;
-}
-
 RequestResult plan_request_of(const wend_request* given, double resolution) {
-  auto asked = goal_request_of(given);
+  auto asked = request_of(given, resolution);
   if (!asked) return asked;
   if (!is_finite(given->start)) return refused("wend_request.start contains NaN or infinity");
-  if (!(given->spacing >= 0) || !std::isfinite(given->spacing)) {
-    return refused("wend_request.spacing is " + format_number(given->spacing) +
-                   ": a finite number from 0 expected");
-  }
-  if (!(given->keep >= 0)) {
-    return refused("wend_request.keep is " + format_number(given->keep) +
-                   ": a number from 0 expected");
-  }
-  asked->keep = given->keep;
   asked->start = map_pose(given->start);
-  asked->explain = given->explain != 0;
-  if (!(given->escape >= 0) || !std::isfinite(given->escape)) {
-    return refused("wend_request.escape is " + format_number(given->escape) +
-                   ": a finite number from 0 expected");
-  }
-  asked->escape = given->escape;
-  asked->closest = given->closest != 0;
-  asked->nearest = given->nearest != 0;
-  if (given->nearest_limit < 0) {
-    return refused("wend_request.nearest_limit is " + format_number(given->nearest_limit) +
-                   ": a number from 0, or NaN, expected");
-  }
-  if (!std::isnan(given->nearest_limit)) asked->nearest_limit = given->nearest_limit;
-  if (given->straighten != 0) asked->refinement.simplify = Simplification{};
-  if (given->spacing > 0) asked->refinement.spacing = given->spacing / resolution;
   return asked;
 }
 
@@ -253,7 +147,7 @@ Expected<std::unique_ptr<wend_field>, Failure> make_field(wend_session& handle,
                                                           const wend_request* request) {
   const auto view = handle.session.view();
   if (!view) return failed(view.error());
-  const auto asked = goal_request_of(request);
+  const auto asked = request_of(request, view->space.map().frame().resolution);
   if (!asked) return Unexpected<Failure>(asked.error());
   const auto planner = handle.session.planner(asked->planner);
   if (!planner) return failed(planner.error());
@@ -359,10 +253,6 @@ void wend_cancel_set(wend_cancel* cancel, int32_t set) {
 }
 
 void wend_cancel_free(wend_cancel* cancel) { delete cancel; }
-
-wend_status wend_request_init(wend_request* request, size_t struct_size) {
-  return init(request, struct_size, kRequestDefaults);
-}
 
 wend_status wend_session_plan(wend_session* session, const wend_request* request, wend_plan** plan,
                               wend_error* error) {

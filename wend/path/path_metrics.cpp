@@ -164,6 +164,32 @@ double Corner::widest_half_turn(double radius, double window) const {
   return std::min(tangent_ / radius, std::sqrt(secant * secant - 1));
 }
 
+std::vector<Metric> metrics_of(const PathMetrics& metrics) {
+  using enum MetricUnit;
+  return {
+      {"length", cells, "the length of the lines or arcs", metrics.length},
+      {"turning", radians, "the sum of all changes of heading", metrics.turning},
+      {"smallest_turning_radius", cells,
+       "for a path of poses, the radius of its tightest arc; for a path of lines, 0 if it has a "
+       "corner, because a robot that steers cannot follow a corner",
+       metrics.smallest_turning_radius},
+      {"rounded_turning_radius", cells,
+       "the same, with each corner replaced by an arc that stays within `corner_rounding` of the "
+       "corner, and within half of its two lines",
+       metrics.rounded_turning_radius},
+      {"corner_rounding", cells,
+       "how far from a corner its arc may pass; it is given, not measured",
+       metrics.corner_rounding},
+      {"smallest_clearance", cells,
+       "the exact distance from any point of the path to the nearest obstacle",
+       metrics.smallest_clearance},
+      {"mean_clearance", cells, "the mean of that distance over the length",
+       metrics.mean_clearance},
+      {"reversals", count, "the number of changes between ahead and reverse",
+       static_cast<double>(metrics.reversals)},
+  };
+}
+
 Expected<PathMetrics, Error> measure(const Path& path, const FreeSpace& space,
                                      double corner_rounding) {
   if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));

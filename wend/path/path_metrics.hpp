@@ -2,9 +2,14 @@
 
 // PathMetrics: the length, turning, turning radius and clearance of a path. Corner: the widest arc
 // that rounds a corner of it.
+//
+// A new metric is a member of PathMetrics, a line in metrics_of() and what measure() does for it.
+
+#include <vector>
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
+#include "wend/base/metric.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
@@ -77,6 +82,9 @@ struct PathMetrics {
   double smallest_clearance = 0;
   double mean_clearance = 0;  // cells
 };
+
+/// All of them, each once, with names, units and meanings: what reports and front ends show, in this order.
+WEND_API std::vector<Metric> metrics_of(const PathMetrics& metrics);
 
 /// Measures a path. It may lead along the border of the map and off it (cells then count as their middles), and need
 /// not be passable: inside obstacles the clearance is 0. Fails as fault_of() does (path_fault.hpp), and with

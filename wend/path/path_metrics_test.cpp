@@ -7,7 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "conformance/random_map.hpp"
@@ -35,6 +37,20 @@ TEST(PathMetrics, TurningAddsUpTheChangesOfHeading) {
   EXPECT_DOUBLE_EQ(turning({{3, 3}, {4, 3}, {5, 4}}), kPi / 4);
   EXPECT_DOUBLE_EQ(turning({{3, 3}, {4, 4}, {5, 3}, {6, 4}}), kPi) << "left and right add up";
   EXPECT_DOUBLE_EQ(turning({{3, 3}, {4, 3}, {3, 4}}), kPi * 3 / 4);
+}
+
+TEST(PathMetrics, AreListedOnceEach) {
+  const std::vector<Metric> list =
+      metrics_of(*measure(Path({{3, 3}, {4, 3}, {4, 4}}), test::open_space(20, 20)));
+  std::set<std::string_view> names;
+  for (const Metric& metric : list) {
+    names.insert(metric.name);
+    EXPECT_FALSE(metric.help.empty()) << metric.name;
+    EXPECT_FALSE(metric.help.ends_with('.')) << metric.name;
+    EXPECT_EQ(metric.in_metres(0.5), metric.value * (metric.unit == MetricUnit::cells ? 0.5 : 1));
+  }
+  EXPECT_EQ(names.size(), list.size()) << "two have the same name";
+  EXPECT_EQ(sizeof(PathMetrics), list.size() * sizeof(double)) << "a member is not in the list";
 }
 
 TEST(PathMetrics, TurningBackIsHalfATurn) {

@@ -5,6 +5,7 @@
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/path/gears.hpp"
+#include "wend/search/search_metrics.hpp"
 
 namespace wend {
 namespace {
@@ -99,9 +100,24 @@ void put_shifts(Json& json, const Plan& plan, const Frame& frame) {
 }
 
 Json json_of(const SearchMetrics& metrics) {
-  return {{"expanded", metrics.expanded},
-          {"generated", metrics.generated},
-          {"max_frontier", metrics.max_frontier}};
+  Json json;
+  for (const Metric& metric : metrics_of(metrics)) put(json, metric, {});
+  return json;
+}
+
+void put(Json& json, const Metric& metric, const Frame& frame) {
+  const std::string name(metric.name);
+  switch (metric.unit) {
+    case MetricUnit::cells:
+      json[name + "_cells"] = metric.value;
+      json[name + "_m"] = metric.in_metres(frame.resolution);
+      return;
+    case MetricUnit::radians:
+      json[name + "_degrees"] = degrees_from(metric.value);
+      return;
+    case MetricUnit::count:
+      json[name] = static_cast<std::uint64_t>(metric.value);
+  }
 }
 
 Json in_microseconds(double seconds) {

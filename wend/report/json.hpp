@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/metric.hpp"
 #include "wend/base/options.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
@@ -56,6 +57,9 @@ Json json_of(const OptionInfo& option);
 
 /// "start_shift" and "goal_shift", {"cells", "m", "degrees"} from what was asked; null without a path.
 void put_shifts(Json& json, const Plan& plan, const Frame& frame);
+
+/// A metric under its name: a length with "_cells" and with "_m", an angle with "_degrees".
+void put(Json& json, const Metric& metric, const Frame& frame);
 
 /// {"expanded", "generated", "max_frontier"}
 Json json_of(const SearchMetrics& metrics);

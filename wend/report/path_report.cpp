@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/report/json.hpp"
@@ -20,35 +19,35 @@ std::string number(double value, int decimals) {
 /// The number of decimals: enough to show a hundredth of a cell if the unit is metres.
 int decimals_of(const LengthUnit& unit) { return unit.per_cell < 0.5 ? 3 : 2; }
 
-struct Row {
-  std::string title;
-  std::function<std::string(const MeasuredPath&)> value;
-};
+constexpr std::string_view kRounding = "corner_rounding";  // stands in the title of another row
 
-std::vector<Row> rows_of(const LengthUnit& unit, double rounding) {
-  const auto length = [&unit](double PathMetrics::* member) {
-    return [&unit, member](const MeasuredPath& path) {
-      return path.metrics ? number((*path.metrics).*member * unit.per_cell, decimals_of(unit))
-                          : "-";
-    };
-  };
-  const auto titled = [&unit](std::string_view what) {
-    return fmt::format("{}, {}", what, unit.name);
-  };
-  return {{"points", [](const MeasuredPath& path) { return std::to_string(path.points); }},
-          {titled("length"), length(&PathMetrics::length)},
-          {"turning, degrees",
-           [](const MeasuredPath& path) {
-             return path.metrics ? number(degrees_from(path.metrics->turning), 0) : "-";
-           }},
-          {titled("smallest turning radius"), length(&PathMetrics::smallest_turning_radius)},
-          {fmt::format("  corners rounded by {:.3g} {}", rounding * unit.per_cell, unit.name),
-           length(&PathMetrics::rounded_turning_radius)},
-          {titled("smallest clearance"), length(&PathMetrics::smallest_clearance)},
-          {titled("mean clearance"), length(&PathMetrics::mean_clearance)},
-          {"reversals", [](const MeasuredPath& path) {
-             return path.metrics ? std::to_string(path.metrics->reversals) : "-";
-           }}};
+std::string title_of(const Metric& metric, const LengthUnit& unit, double rounding) {
+  if (metric.name == "rounded_turning_radius") {
+    return fmt::format("  corners rounded by {:.3g} {}", rounding * unit.per_cell, unit.name);
+  }
+  std::string title(metric.name);
+  std::ranges::replace(title, '_', ' ');
+  switch (metric.unit) {
+    case MetricUnit::cells:
+      return fmt::format("{}, {}", title, unit.name);
+    case MetricUnit::radians:
+      return title + ", degrees";
+    case MetricUnit::count:
+      break;
+  }
+  return title;
+}
+
+std::string text_of(const Metric& metric, const LengthUnit& unit) {
+  switch (metric.unit) {
+    case MetricUnit::cells:
+      return number(metric.value * unit.per_cell, decimals_of(unit));
+    case MetricUnit::radians:
+      return number(degrees_from(metric.value), 0);
+    case MetricUnit::count:
+      break;
+  }
+  return number(metric.value, 0);
 }
 
 std::string line(std::string_view name, const std::string& what) {
@@ -110,9 +109,17 @@ std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit&
     columns.push_back({paths.size() > 1 ? path.title : "", Align::right});
   }
   TextTable table(std::move(columns));
-  for (const Row& row : rows_of(unit, paths.front().metrics->corner_rounding)) {
-    std::vector<std::string> fields{row.title};
-    for (const MeasuredPath& path : paths) fields.push_back(row.value(path));
+  std::vector<std::string> points{"points"};
+  for (const MeasuredPath& path : paths) points.push_back(std::to_string(path.points));
+  table.add(std::move(points));
+  const std::vector<Metric> listed = metrics_of(*paths.front().metrics);
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    if (listed[i].name == kRounding) continue;
+    std::vector<std::string> fields{
+        title_of(listed[i], unit, paths.front().metrics->corner_rounding)};
+    for (const MeasuredPath& path : paths) {
+      fields.push_back(path.metrics ? text_of(metrics_of(*path.metrics)[i], unit) : "-");
+    }
     table.add(std::move(fields));
   }
   const std::string text = table.text();
@@ -130,20 +137,8 @@ std::string_view to_string(CollisionKind kind) {
 
 Json json_of(const MeasuredPath& path, const Frame& frame) {
   if (!path.metrics) return {};
-  const PathMetrics& metrics = *path.metrics;
   Json json{{"points", path.points}};
-  const auto put_length = [&](const std::string& name, double cells) {
-    json[name + "_cells"] = cells;
-    json[name + "_m"] = cells * frame.resolution;
-  };
-  put_length("length", metrics.length);
-  json["turning_degrees"] = degrees_from(metrics.turning);
-  put_length("smallest_turning_radius", metrics.smallest_turning_radius);
-  put_length("rounded_turning_radius", metrics.rounded_turning_radius);
-  put_length("corner_rounding", metrics.corner_rounding);
-  put_length("smallest_clearance", metrics.smallest_clearance);
-  put_length("mean_clearance", metrics.mean_clearance);
-  json["reversals"] = metrics.reversals;
+  for (const Metric& metric : metrics_of(*path.metrics)) put(json, metric, frame);
   return json;
 }
 

@@ -2,11 +2,19 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
 
 #include "wend/io/path/load_path.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/search/search_metrics.hpp"
 
 namespace wend {
 namespace {
@@ -14,6 +22,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 constexpr Frame kPathFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
 
@@ -32,17 +41,53 @@ RefinedPath refined_by(const Refinement& refinement) {
 
 TEST(MetricsTable, HasALineForEachMeasureInTheUnit) {
   const MeasuredPath path = measured("path", Path::along({{0, 0}, {3, 4}}), open_space());
-  EXPECT_EQ(metrics_table(std::vector{path}, metres_of(kPathFrame)),
-            "points                          2\n"
-            "length, m                    2.50\n"
-            "turning, degrees                0\n"
-            "smallest turning radius, m      -\n"
-            "  corners rounded by 0.05 m     -\n"
-            "smallest clearance, m           -\n"
-            "mean clearance, m               -\n"
-            "reversals                       0\n");
+  const std::string table = metrics_table(std::vector{path}, metres_of(kPathFrame));
+  EXPECT_THAT(table, StartsWith("points                          2\n"
+                                "length, m                    2.50\n"
+                                "turning, degrees                0\n"
+                                "smallest turning radius, m      -\n"
+                                "  corners rounded by 0.05 m     -\n"
+                                "smallest clearance, m           -\n"
+                                "mean clearance, m               -\n"
+                                "reversals                       0\n"));
+  const auto lines = std::ranges::count(table, '\n');
+  EXPECT_EQ(lines, std::ssize(metrics_of(PathMetrics{})))
+      << "the points, but no line for the rounding";
   EXPECT_THAT(metrics_table(std::vector{path}, {}),
               HasSubstr("length, cells                   5.00"));
+}
+
+std::string text_of_file(const std::string& name) {
+  std::ifstream file(std::string(WEND_SOURCE_DIR) + "/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Metrics, AreThoseOfTheirPage) {
+  std::string table = "| name | unit | meaning |\n|---|---|---|\n";
+  for (const Metric& metric : metrics_of(PathMetrics{})) {
+    const std::string_view unit = metric_unit_name(metric.unit);
+    table += "| `" + std::string(metric.name) + "` | " + std::string(unit) +
+             (unit.empty() ? "" : " ") + "| " + std::string(metric.help) + " |\n";
+  }
+  EXPECT_THAT(text_of_file("docs/motion.md"), HasSubstr(table + "\n"));
+}
+
+/// A message of ROS stays as it is: whoever has recorded it reads it again.
+TEST(Metrics, OfMessagesAreInTheList) {
+  const auto check = [](const std::string& message, const auto& list,
+                        const std::set<std::string>& others) {
+    std::istringstream lines(text_of_file("ros/wend_ros/msg/" + message));
+    std::string type;
+    std::string name;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("#") || !(std::istringstream(line) >> type >> name)) continue;
+      const bool listed = std::ranges::find(list, name, &Metric::name) != list.end();
+      EXPECT_NE(listed, others.contains(name)) << message << ": " << name;
+    }
+    EXPECT_FALSE(name.empty());
+  };
+  check("PathMetrics.msg", metrics_of(PathMetrics{}), {"largest_curvature"});
+  check("SearchMetrics.msg", metrics_of(SearchMetrics{}), {"seconds"});
 }
 
 TEST(MetricsTable, SetsPathsBesideEachOther) {
@@ -50,7 +95,7 @@ TEST(MetricsTable, SetsPathsBesideEachOther) {
       measured("planned", kPlanned, open_space()),
       measured("other", Path::along({{1, 1}, {2, 1}}), open_space())};
   const std::string table = metrics_table(paths, {});
-  EXPECT_THAT(table, testing::StartsWith("                                planned  other\n"));
+  EXPECT_THAT(table, StartsWith("                                planned  other\n"));
   EXPECT_THAT(table, HasSubstr("length, cells                      3.00   1.00\n"));
   EXPECT_THAT(table, HasSubstr("turning, degrees                     90      0\n"));
 }

@@ -22,6 +22,7 @@
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/search/search_metrics.hpp"
 #include "wend/session/leeway.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 

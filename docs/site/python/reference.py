@@ -105,6 +105,8 @@ def field_comments(cls):
             commented = isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant)
             text = inspect.cleandoc(after.value.value) if commented else ""
             comments[field.target.id] = (readable(ast.unparse(field.annotation)), text)
+    for field in getattr(cls, "_fields", ()):  # those that the C++ side lists
+        comments.setdefault(field, ("float", getattr(cls, field).__doc__))
     return comments
 
 
