@@ -84,7 +84,7 @@ void CellQuery::move_ends(const EasedQuery& eased) {
   const auto place = [this](const std::string& name, Point point) {
     return coordinates_.place(name, cell_at(point));
   };
-  if (eased.start_moved()) {
+  if (eased.lead().empty() && eased.query().start.point() != start_point_) {
     start_point_ = eased.query().start.point();
     start_ = place("start", start_point_);
   }
@@ -176,7 +176,7 @@ void PoseQuery::move_ends(const EasedQuery& eased) {
     end.point = point;
     end.text = coordinates_.text(point);
   };
-  if (eased.start_moved()) take(start_, moved.start.point());
+  if (eased.lead().empty()) take(start_, moved.start.point());
   for (std::size_t i = 0; i < goals_.size(); ++i) take(goals_[i], moved.goals[i].point);
 }
 
