@@ -71,6 +71,38 @@ class Running {
   int status_ = 0;
 };
 
+/// There are more rows than are answered in minutes, and the first is answered at once.
+TEST(InterruptedQueries, ReportWhatWasAnswered) {
+  const TemporaryFolder folder;
+  std::string grid;
+  for (int y = 0; y < 200; ++y) grid += std::string(200, '.') + "\n";
+  const std::string map = folder.write("open.txt", grid);
+  constexpr int kRows = 100000;
+  std::string rows = "start,goal\n\"0,0\",\"1,0\"\n";
+  for (int i = 1; i < kRows; ++i) rows += "\"0,0\",\"199,199\"\n";
+  const std::string queries = folder.write("queries.csv", rows);
+  const std::string answers = folder / "answers.csv";
+  Running program({"plan", map, "--queries", queries, "--planner", "dijkstra:leaps=false",
+                   "--threads", "1", "-o", answers});
+  ASSERT_TRUE(program.wait_until_it_is_at_work()) << "it ended by itself";
+  const Outcome outcome = program.interrupt();
+  EXPECT_EQ(outcome.signal, 0);
+  EXPECT_EQ(outcome.code, 130);
+  std::ifstream written(answers);
+  std::string line;
+  int found = 0;
+  int cancelled = 0;
+  std::getline(written, line);
+  EXPECT_THAT(line, testing::StartsWith("line,start,goal,status,reason"));
+  while (std::getline(written, line)) {
+    found += line.find(",found,") != std::string::npos ? 1 : 0;
+    cancelled += line.find(",cancelled,") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GT(found, 0);
+  EXPECT_GT(cancelled, 0);
+  EXPECT_EQ(found + cancelled, kRows);  // every row has an answer
+}
+
 struct LongCommand {
   std::string name;
   std::vector<std::string> arguments;

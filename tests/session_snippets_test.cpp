@@ -51,6 +51,34 @@ TEST(Snippets, OfASession) {
   EXPECT_TRUE(session.plan(request)->refined);
 }
 
+TEST(Snippets, OfASearchRun) {
+  wend::Session session(
+      *wend::make_grid_map(wend::Grid<wend::CellState>(20, 20, wend::CellState::free)));
+  wend::PlanRequest request{{1, 1, 0}, {{{15, 9}}}};
+  std::uint64_t shown = 0;
+  const auto show = [&](const wend::OpenList& open, const wend::SearchMetrics& metrics) {
+    EXPECT_LE(open.entries.size(), 10U);
+    EXPECT_EQ(metrics.expanded, ++shown);
+  };
+  reported.clear();
+  [&] {
+    auto run = session.begin(request);
+    if (!run) return report(run.error().message);
+    while (!run->step()) show(run->open_list(10), run->plan().metrics);
+    const auto answer = run->finish();
+    EXPECT_TRUE(answer);
+  }();
+  EXPECT_GT(shown, 5U);
+  EXPECT_EQ(reported, "");
+  request.planner.name = "ara_star";
+  auto run = session.begin(request);
+  ASSERT_TRUE(run);
+  int paths = 0;
+  const auto drive_along = [&](const std::vector<wend::MapPose>& /*poses*/) { ++paths; };
+  while (const auto better = run->next_solution()) drive_along(better->poses());
+  EXPECT_GT(paths, 0);
+}
+
 TEST(Snippets, OfWarmPlanners) {
   const wend::FreeSpace space = open_ground();
   const std::uint64_t version = 1;

@@ -41,4 +41,12 @@ Leeway LeewayArguments::leeway(const Coordinates& coordinates) const {
   return leeway;
 }
 
+void LeewayArguments::allow(PlanRequest& request, const Coordinates& coordinates) const {
+  const Leeway allowed = leeway(coordinates);
+  request.escape = allowed.escape;
+  request.nearest = allowed.nearest;
+  request.nearest_limit = allowed.nearest_limit;
+  request.closest = allowed.closest;
+}
+
 }  // namespace wend::cli

@@ -7,6 +7,7 @@
 #include "cli/arguments/coordinates.hpp"
 #include "cli/arguments/parser.hpp"
 #include "wend/session/leeway.hpp"
+#include "wend/session/plan_request.hpp"
 
 namespace wend::cli {
 
@@ -25,6 +26,8 @@ struct LeewayArguments {
   void check(const Parser& command) const;
 
   Leeway leeway(const Coordinates& coordinates) const;
+  /// Lets a request do the same.
+  void allow(PlanRequest& request, const Coordinates& coordinates) const;
 };
 
 }  // namespace wend::cli

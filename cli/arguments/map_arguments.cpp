@@ -8,6 +8,7 @@
 #include "cli/output/explanations.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/base/status.hpp"
+#include "wend/base/thread_time.hpp"
 #include "wend/io/available_memory.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
 #include "wend/map/masked.hpp"
@@ -203,13 +204,17 @@ FreeSpace MapArguments::free_space(const GridMap& map, double planner_bytes_per_
   return value_or_throw(make_free_space(map, robot));
 }
 
-std::unique_ptr<Session> MapArguments::session(const GridMap& map, double planner_bytes_per_cell,
+std::unique_ptr<Session> MapArguments::session(const GridMap& map, std::size_t planners,
+                                               double planner_bytes_per_cell,
                                                const Deadline& deadline) const {
   FreeSpaceOptions robot = options(map);
-  const double per_cell = free_space_bytes_per_cell(map, robot) + planner_bytes_per_cell;
+  const double per_cell = free_space_bytes_per_cell(map, robot) +
+                          static_cast<double>(planners) * planner_bytes_per_cell;
   check_memory(map, per_cell * static_cast<double>(map.size()));
-  auto session = std::make_unique<Session>(map, std::move(robot),
-                                           SessionOptions{.hints = command_line_hints()});
+  auto session = std::make_unique<Session>(
+      map, std::move(robot),
+      SessionOptions{
+          .idle_planners = planners, .hints = command_line_hints(), .clock = thread_cpu_seconds});
   const auto view = session->view(deadline);
   if (view) return session;
   const std::string& why = view.error().message;

@@ -75,9 +75,11 @@ struct MapArguments : MapFileArguments, RobotArguments {
   /// Throws NoPathError if the free space and planners of this size do not fit into memory.
   FreeSpace free_space(const GridMap& map, double planner_bytes_per_cell = 0) const;
 
-  /// The same as a session that explains itself in the options of the command line. Throws NoPathError too if the
+  /// The same as a session that keeps so many planners, measures searches in CPU time, and explains itself in the
+  /// options of the command line. Throws NoPathError too if the
   /// deadline passes before the space is made.
-  std::unique_ptr<Session> session(const GridMap& map, double planner_bytes_per_cell,
+  std::unique_ptr<Session> session(const GridMap& map, std::size_t planners,
+                                   double planner_bytes_per_cell,
                                    const Deadline& deadline = {}) const;
 };
 

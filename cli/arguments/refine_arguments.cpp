@@ -164,11 +164,9 @@ double RefineArguments::rounding(const Coordinates& coordinates) const {
   return corner_rounding_in_cells(corner_rounding, coordinates);
 }
 
-Expected<RefinedPath, Error> refine(const Path& path, const FreeSpace& space,
-                                    const Refinement& refinement, double corner_rounding,
-                                    const Deadline& deadline) {
-  auto refined = wend::refined(path, space, refinement, deadline);
-  if (!refined && deadline.passed()) return Unexpected<Error>(std::move(refined).error());
+RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
+                   double corner_rounding) {
+  auto refined = wend::refined(path, space, refinement);
   if (!refined) throw InputError(refined.error().message);
   return refined_path(path, refinement, *std::move(refined), space, corner_rounding);
 }

@@ -63,11 +63,9 @@ double corner_rounding_in_cells(const std::optional<double>& rounding,
 /// not exist.
 SmootherChoice parse_smoother(std::string_view text);
 
-/// Simplifies, smooths and resamples a path. time_limit or cancelled if the deadline passes before; throws InputError
-/// where it cannot be done.
-Expected<RefinedPath, Error> refine(const Path& path, const FreeSpace& space,
-                                    const Refinement& refinement, double corner_rounding,
-                                    const Deadline& deadline = {});
+/// Simplifies, smooths and resamples a path. Throws InputError where it cannot be done.
+RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
+                   double corner_rounding);
 
 /// The same with a way out before both paths.
 RefinedPath with_lead(const Path& lead, RefinedPath path, const FreeSpace& space,

@@ -36,26 +36,26 @@ void LimitArguments::add_to(Parser& app) {
   app.further({"--limit-expansions"});
 }
 
-Limits LimitArguments::limits(ProgressBar& progress) const {
+Limits LimitArguments::limits() const {
   Limits limits;
   limits.expansions = expansions;
   if (seconds) limits.seconds = *seconds;
+  limits.cancel = &Interruptible::cancelled();
+  return limits;
+}
+
+Limits LimitArguments::limits(ProgressBar& progress) const {
+  Limits limits = this->limits();
   // A search reads the clock at its start, then every kExpansionsBetweenClockReads expansions.
   limits.clock = [&progress, expanded = std::uint64_t{0}]() mutable {
     progress.update(expanded);
     expanded += Limits::kExpansionsBetweenClockReads;
     return steady_seconds();
   };
-  limits.cancel = &Interruptible::cancelled();
   return limits;
 }
 
-Deadline LimitArguments::deadline() const {
-  Limits limits;
-  if (seconds) limits.seconds = *seconds;
-  limits.cancel = &Interruptible::cancelled();
-  return Deadline(limits);
-}
+Deadline LimitArguments::deadline() const { return Deadline(limits()); }
 
 double steady_seconds() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();

@@ -36,7 +36,10 @@ struct LimitArguments {
   /// Ctrl-C cancels the search.
   Limits limits(ProgressBar& progress) const;
 
-  /// The limit on time and Ctrl-C, for all that a query takes; the time begins. The expansions are those of a search.
+  /// The same without progress.
+  Limits limits() const;
+
+  /// The limit on time and Ctrl-C, for all that a query takes; the time begins.
   Deadline deadline() const;
 };
 

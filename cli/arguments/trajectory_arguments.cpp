@@ -88,20 +88,21 @@ TrajectoryLimits TrajectoryArguments::limits() const {
   return *limits;
 }
 
-Expected<SampledTrajectory, Error> TrajectoryArguments::along(const Path& path,
-                                                              const FreeSpace& space, double window,
-                                                              Adjacency adjacency,
-                                                              const TrajectoryLimits& limits,
-                                                              const Deadline& deadline) const {
-  auto trajectory = timed_path(path, space, adjacency, limits, window, deadline);
-  if (!trajectory && deadline.passed()) return Unexpected<Error>(std::move(trajectory).error());
+SampledTrajectory TrajectoryArguments::along(const Path& path, const FreeSpace& space,
+                                             double window, Adjacency adjacency,
+                                             const TrajectoryLimits& limits) const {
+  auto trajectory = timed_path(path, space, adjacency, limits, window);
   if (!trajectory) throw InputError("the trajectory: " + trajectory.error().message);
-  if (trajectory->duration() / period_ > kMostSamples) {
+  return sampled(*std::move(trajectory));
+}
+
+SampledTrajectory TrajectoryArguments::sampled(Trajectory trajectory) const {
+  if (trajectory.duration() / period_ > kMostSamples) {
     throw InputError(fmt::format(
         "the trajectory takes {:.0f} s, more than {:.0f} rows: give a longer --trajectory-period",
-        trajectory->duration(), kMostSamples));
+        trajectory.duration(), kMostSamples));
   }
-  return SampledTrajectory{*std::move(trajectory), period_};
+  return {std::move(trajectory), period_};
 }
 
 void TrajectoryArguments::write(const SampledTrajectory& sampled) const {

@@ -36,11 +36,12 @@ class TrajectoryArguments {
   /// What --velocity-limits says. Throws InputError for limits out of range.
   TrajectoryLimits limits() const;
 
-  /// The trajectory along a path with its corners rounded within a window, in cells. time_limit or cancelled if the
-  /// deadline passes before; throws InputError if it would be too long for a file.
-  Expected<SampledTrajectory, Error> along(const Path& path, const FreeSpace& space, double window,
-                                           Adjacency adjacency, const TrajectoryLimits& limits,
-                                           const Deadline& deadline = {}) const;
+  /// The trajectory along a path with its corners rounded within a window, in cells. Throws InputError if there is
+  /// none, or if it would be too long for a file.
+  SampledTrajectory along(const Path& path, const FreeSpace& space, double window,
+                          Adjacency adjacency, const TrajectoryLimits& limits) const;
+  /// The same of a trajectory that exists.
+  SampledTrajectory sampled(Trajectory trajectory) const;
 
   /// Writes the file, if one is wanted; of a failure the reason. Throws InputError if it cannot be
   /// written.

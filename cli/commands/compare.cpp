@@ -18,13 +18,14 @@
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/arguments/search_arguments.hpp"
+#include "cli/arguments/typed_request.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/commands/typed_query.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/explanations.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
+#include "cli/output/query_scene.hpp"
 #include "cli/output/terminal.hpp"
 #include "cli/watching/films.hpp"
 #include "cli/watching/watching.hpp"
@@ -131,9 +132,10 @@ void check(const CompareArguments& arguments) {
 }
 
 /// What was asked as one of the planners understands it.
-std::unique_ptr<TypedQuery> query_for(const PlannerSpec& planner, const CompareArguments& arguments,
-                                      const FreeSpace& space) {
-  return typed_query(planner, space, arguments.map.coordinates(space.map()), arguments.ends);
+Query query_for(const PlannerSpec& planner, const CompareArguments& arguments,
+                const FreeSpace& space) {
+  const Coordinates coordinates = arguments.map.coordinates(space.map());
+  return query_of(typed_request(planner, space, coordinates, arguments.ends), space.map().frame());
 }
 
 std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
@@ -156,7 +158,7 @@ std::vector<Query> random_queries(const ComparisonRun& run, const CompareArgumen
 std::vector<Query> queries_of(const ComparisonRun& run, const CompareArguments& arguments,
                               const FreeSpace& space) {
   if (arguments.random > 0) return random_queries(run, arguments, space);
-  return {query_for(run.planners().front(), arguments, space)->query()};
+  return {query_for(run.planners().front(), arguments, space)};
 }
 
 void answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArguments& limits) {
@@ -207,7 +209,8 @@ std::vector<Panel> panels_of(const ComparisonRun& run, const CompareArguments& a
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     const SearchSnapshot snapshot = run.record(i, 0).snapshot();
-    Scene scene = query_for(run.planners()[i], arguments, space)->scene();
+    const PlannerSpec& planner = run.planners()[i];
+    Scene scene = query_scene(planner, space, query_for(planner, arguments, space));
     scene.path = run.path(i, 0);
     scene.marked = {{CellRole::expanded, snapshot.expanded},
                     {CellRole::frontier, snapshot.frontier}};
@@ -226,7 +229,8 @@ Expected<std::string, Error> film_of(const ComparisonRun& run, const CompareArgu
   std::vector<FilmedSearch> searches;
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     recorders.push_back(run.record(i, 0));
-    Scene outcome = query_for(run.planners()[i], arguments, space)->scene();
+    const PlannerSpec& planner = run.planners()[i];
+    Scene outcome = query_scene(planner, space, query_for(planner, arguments, space));
     outcome.path = run.path(i, 0);
     searches.push_back({query.rows[i].planner, std::move(outcome), &recorders.back()});
   }

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
-#include "cli/commands/typed_query.hpp"
+#include "cli/arguments/typed_request.hpp"
 #include "cli/output/explanations.hpp"
+#include "cli/output/query_scene.hpp"
 #include "cli/output/terminal.hpp"
 #include "wend/analysis/no_drive.hpp"
 #include "wend/report/analysis_report.hpp"
@@ -26,14 +25,19 @@ class DriveAnswer {
         space_(space),
         coordinates_(coordinates),
         explainer_(explainer_for(space, coordinates, {})),
-        asked_(
-            typed_query(question.planner, space, coordinates, {question.start, {question.goal}})) {
-    auto why = explain_no_drive(space, asked_->query(), options_of(question.planner));
+        request_(
+            typed_request(question.planner, space, coordinates, {question.start, {question.goal}})),
+        query_(query_of(request_, space.map().frame())) {
+    auto why = explain_no_drive(space, query_, options_of(question.planner));
     if (!why) throw InputError(why.error().message);
     why_ = *std::move(why);
-    const Ends ends = asked_->ends();
-    if (why_.status == Status::start_outside) throw InputError(explainer_.outside(ends.start));
-    if (why_.status == Status::goal_outside) throw InputError(explainer_.outside(ends.goals[0]));
+    const EndTexts& ends = request_.texts;
+    if (why_.status == Status::start_outside) {
+      throw InputError(explainer_.outside({"start", {}, ends.start}));
+    }
+    if (why_.status == Status::goal_outside) {
+      throw InputError(explainer_.outside({"goal", {}, ends.goals.front()}));
+    }
   }
 
   bool drive_exists() const { return why_.drive_exists(); }
@@ -49,14 +53,15 @@ class DriveAnswer {
   const FreeSpace& space_;
   const Coordinates& coordinates_;
   Explainer explainer_;
-  std::unique_ptr<TypedQuery> asked_;
+  PlanRequest request_;
+  Query query_;
   NoDrive why_;
 };
 
 std::string DriveAnswer::headline() const {
-  const Ends ends = asked_->ends();
+  const EndTexts& ends = request_.texts;
   const std::string between =
-      fmt::format("from start {} to goal {}", ends.start.text, ends.goals[0].text);
+      fmt::format("from start {} to goal {}", ends.start, ends.goals.front());
   if (drive_exists()) return folded("there is a drive " + between, detect_screen().columns) + "\n";
   const char* found = why_.certain ? "there is no drive " : "found no drive ";
   return folded(found + between, detect_screen().columns) + "\n";
@@ -87,7 +92,7 @@ std::string DriveAnswer::text() const {
 }
 
 Scene DriveAnswer::scene() const {
-  Scene scene = asked_->scene();
+  Scene scene = query_scene(request_.planner, space_, query_);
   if (why_.widest && !why_.widest->path.empty()) {
     scene.lines.push_back(
         {LineRole::possible, why_.widest->path.points(), "widest path of a disc"});

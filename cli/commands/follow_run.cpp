@@ -13,6 +13,7 @@
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
+#include "cli/output/query_scene.hpp"
 #include "cli/output/terminal.hpp"
 #include "cli/watching/films.hpp"
 #include "wend/base/parse.hpp"
@@ -21,6 +22,7 @@
 #include "wend/io/path/path_csv.hpp"
 #include "wend/path/corner_rounding.hpp"
 #include "wend/planner/planner.hpp"
+#include "wend/session/eased_query.hpp"
 
 namespace wend::cli {
 namespace {
@@ -96,7 +98,7 @@ bool FollowRun::find_path() {
   if (!path) return false;
   check_drivable(*path);
   const double rounding = arguments_.refine.rounding(coordinates_);
-  path_ = value_or_throw(refine(*path, planning_space_, refinement_, rounding));
+  path_ = refine(*path, planning_space_, refinement_, rounding);
   if (!lead_.empty()) path_ = with_lead(lead_, std::move(path_), planning_space_, rounding);
   controllers_ = arguments_.drive.controllers(robot_, path_.refined.path);
   return true;
@@ -138,22 +140,19 @@ Path FollowRun::loaded() const {
   }
 }
 
-Leeway FollowRun::leeway() const {
-  Leeway leeway = arguments_.leeway.leeway(coordinates_);
-  leeway.escape = simulation_.escape;
-  return leeway;
-}
-
 std::optional<Path> FollowRun::plan() {
-  const auto asked = typed_query(planner_, planning_space_, coordinates_, arguments_.ends);
+  PlanRequest request = typed_request(planner_, planning_space_, coordinates_, arguments_.ends);
+  arguments_.leeway.allow(request, coordinates_);
+  request.escape = simulation_.escape;
   auto planner = info_of(planner_).make(planning_space_, planner_.options);
   if (!planner) throw InputError(planner.error().message);
   const GridMoves moves = (*planner)->grid_moves().value_or(GridMoves{});
   refinement_.adjacency = moves.adjacency();
   Explainer explainer = explainer_for(planning_space_, coordinates_, moves);
-  explainer.allow(leeway());
-  EasedQuery eased(asked->query(), **planner, explainer, coordinates_, leeway());
-  asked->move_ends(eased);
+  explainer.allow(request.leeway());
+  EasedQuery eased(query_of(request, planning_space_.map().frame()), **planner, explainer,
+                   coordinates_, request.leeway());
+  const Query asked = eased.query();
   ProgressBar progress("planning", (*planner)->state_count());
   const Query& query = eased.query();
   eased.query().limits = arguments_.limits.limits(progress);
@@ -168,13 +167,14 @@ std::optional<Path> FollowRun::plan() {
   }
   const std::string margin =
       coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells());
-  const FailedPlan failed{
-      std::string(to_string(status)),
-      fmt::format("{} (these radii include the planning margin of {})",
-                  explainer.explain(**planner, query, asked->ends(), status, plan.metrics),
-                  margin)};
+  const FailedPlan failed{std::string(to_string(status)),
+                          fmt::format("{} (these radii include the planning margin of {})",
+                                      explainer.explain(**planner, query, eased.ends(request.texts),
+                                                        status, plan.metrics),
+                                      margin)};
   complain(failed.reason);
-  write_failure(failed, asked->scene_of_failure(status, moves));
+  write_failure(failed,
+                failure_scene(planner_, planning_space_, asked, status, moves, coordinates_));
   return std::nullopt;
 }
 
@@ -196,9 +196,9 @@ void FollowRun::write_failure(const FailedPlan& plan, const Scene& scene) const 
 
 /// The robot's own shape has to fit along the rounded corners: the margin is for errors.
 SampledTrajectory FollowRun::timed_path() const {
-  return value_or_throw(arguments_.trajectory.along(
-      path_.refined.path, space_, arguments_.refine.rounding(coordinates_), refinement_.adjacency,
-      arguments_.drive.trajectory_limits()));
+  return arguments_.trajectory.along(path_.refined.path, space_,
+                                     arguments_.refine.rounding(coordinates_),
+                                     refinement_.adjacency, arguments_.drive.trajectory_limits());
 }
 
 /// Tracks the trajectory along the path with rounded corners.

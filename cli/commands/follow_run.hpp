@@ -14,7 +14,7 @@
 #include "cli/arguments/refine_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
 #include "cli/arguments/trajectory_arguments.hpp"
-#include "cli/commands/typed_query.hpp"
+#include "cli/arguments/typed_request.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
@@ -66,7 +66,6 @@ class FollowRun {
   PlannerSpec steered() const;
   std::optional<Path> plan();
   void check_drivable(const Path& path) const;
-  Leeway leeway() const;
   SampledTrajectory timed_path() const;
   Drive tracked(const TrackingGains& gains) const;
   Path loaded() const;

@@ -165,10 +165,9 @@ void check(const PlanArguments& arguments) {
 /// If a map does not fit into memory, or its free space is not made in time, the path files say so.
 std::unique_ptr<Session> session_for(const PlanArguments& arguments, const GridMap& map,
                                      const PlannerSpec& planner, const Deadline& deadline) {
-  const std::uint64_t planners = arguments.queries.empty() ? 1 : arguments.threads;
+  const std::size_t planners = arguments.queries.empty() ? 1 : arguments.threads;
   try {
-    return arguments.map.session(
-        map, static_cast<double>(planners) * info_of(planner).bytes_per_cell, deadline);
+    return arguments.map.session(map, planners, info_of(planner).bytes_per_cell, deadline);
   } catch (const NoPathError& error) {
     write_failed_plan(arguments, error.plan());
     throw;

@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <atomic>
-#include <memory>
 #include <new>
 #include <string_view>
 #include <utility>
 
 #include "cli/arguments/input_files.hpp"
 #include "cli/arguments/planner_argument.hpp"
+#include "cli/arguments/typed_request.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/output/explanations.hpp"
 #include "cli/output/output.hpp"
-#include "wend/base/thread_time.hpp"
 #include "wend/base/thread_workers.hpp"
 #include "wend/report/query_answers.hpp"
 
@@ -23,124 +21,100 @@ namespace {
 
 constexpr std::size_t kMostRowsTold = 5;
 
-/// Answers rows one after the other; one for each thread.
-class QueryWorker {
- public:
-  QueryWorker(const PlanArguments& arguments, const PlannerSpec& spec, FreeSpace space,
-              WarmPlanner planner)
-      : arguments_(arguments),
-        spec_(spec),
-        space_(std::move(space)),
-        coordinates_(arguments.map.coordinates(space_.map())),
-        planner_(std::move(planner)),
-        explainer_(
-            explainer_for(space_, coordinates_, planner_->grid_moves().value_or(GridMoves{}))),
-        leeway_(arguments.leeway.leeway(coordinates_)) {
-    explainer_.allow(leeway_);
-  }
-
-  /// Does not throw: the answer to an invalid row says so.
-  QueryAnswer answer(const QueryRow& row) {
-    QueryAnswer answer{
-        .line = row.line, .start = row.start, .goal = row.goal, .status = {}, .reason = {}};
-    if (!row.wrong.empty()) {
-      refuse(answer, row.wrong);
-      return answer;
-    }
-    if (Interruptible::cancelled()) {
-      fail(answer, Status::cancelled, std::string(describe(Status::cancelled)));
-      return answer;
-    }
-    try {
-      ask(answer);
-    } catch (const InputError& error) {
-      const std::string_view wrong = error.what();  // "--start: ..." of what a column says here
-      refuse(answer, wrong.substr(wrong.starts_with("--") ? 2 : 0));
-    } catch (const std::bad_alloc&) {
-      fail(answer, Status::memory_limit, std::string(describe(Status::memory_limit)));
-    }
-    return answer;
-  }
-
- private:
-  static void refuse(QueryAnswer& answer, std::string_view wrong) {
-    answer.status = kInvalidQuery;
-    answer.reason = fmt::format("line {}: {}", answer.line, wrong);
-  }
-
-  static void fail(QueryAnswer& answer, Status status, std::string reason) {
-    answer.status = to_string(status);
-    answer.reason = std::move(reason);
-  }
-
-  void ask(QueryAnswer& answer) {
-    const Deadline deadline = arguments_.limits.deadline();
-    explainer_.stop_at(deadline);
-    const auto asked = typed_query(spec_, space_, coordinates_,
-                                   {answer.start, {answer.goal}, arguments_.ends.tolerance});
-    EasedQuery eased(asked->query(), *planner_, explainer_, coordinates_, leeway_);
-    asked->move_ends(eased);
-    Query& query = eased.query();
-    const auto search = [&] {
-      query.limits = deadline.left();
-      query.limits.expansions = arguments_.limits.expansions;
-      return planner_->plan(query, answer.plan);
-    };
-    const Status status = timed(thread_cpu_seconds, answer.seconds, [&] {
-      const Status first = search();
-      return eased.ease_goals(first) ? search() : first;
-    });
-    if (arguments_.limits.seconds) query.limits.seconds = *arguments_.limits.seconds;
-    answer.status = to_string(status);
-    if (status == Status::found) return finish(eased, answer);
-    // Finding the reason takes an extra search: worth it for one query, not for each of thousands.
-    fail(answer, status,
-         status == Status::unreachable
-             ? fmt::format("{}; `wend explain` shows the reason", describe(status))
-             : explainer_.explain(*planner_, query, asked->ends(), status, answer.plan.metrics));
-  }
-
-  void finish(EasedQuery& eased, QueryAnswer& answer) const {
-    eased.finish(answer.plan);
-    begin_with(eased.lead(), answer.plan, space_.map().frame());
-    answer.reason = fmt::format("{}", fmt::join(eased.notes(), "; "));
-    answer.lead_out = eased.lead_out();
-    if (const auto remaining = eased.remaining()) {
-      answer.remaining = *remaining * space_.map().frame().resolution;
-    }
-  }
-
-  const PlanArguments& arguments_;
-  const PlannerSpec& spec_;
-  FreeSpace space_;
-  Coordinates coordinates_;
-  WarmPlanner planner_;
-  Explainer explainer_;
-  Leeway leeway_;
-};
-
-/// They share what their planners prepare.
-std::vector<QueryWorker> make_workers(const PlanArguments& arguments, Session& session,
-                                      const PlannerSpec& planner, std::size_t count) {
-  const FreeSpace space = value_or_throw(session.view()).space;
-  auto planners = session.planners(planner, count);
-  if (!planners) throw InputError(planners.error().message);
-  std::vector<QueryWorker> workers;
-  for (WarmPlanner& each : *planners) {
-    workers.emplace_back(arguments, planner, space, std::move(each));
-  }
-  return workers;
+void refuse(QueryAnswer& answer, std::string_view wrong) {
+  answer.status = kInvalidQuery;
+  answer.reason = fmt::format("line {}: {}", answer.line, wrong);
 }
 
-std::vector<QueryAnswer> answers_to(const std::vector<QueryRow>& rows,
-                                    std::vector<QueryWorker>& workers) {
+void fail(QueryAnswer& answer, Status status, std::string reason) {
+  answer.status = to_string(status);
+  answer.reason = std::move(reason);
+}
+
+/// A batch of queries on the map of a session, all with the same planner. Threads may share it.
+class QueryBatch {
+ public:
+  QueryBatch(const PlanArguments& arguments, Session& session, const PlannerSpec& planner)
+      : arguments_(arguments),
+        session_(session),
+        planner_(planner),
+        view_(value_or_throw(session.view())),
+        coordinates_(arguments.map.coordinates(view_.space.map())) {}
+
+  const Frame& frame() const { return view_.space.map().frame(); }
+
+  /// Does not throw: the answer to an invalid row says so.
+  QueryAnswer answer(const QueryRow& row) const;
+
+ private:
+  void ask(QueryAnswer& answer) const;
+
+  const PlanArguments& arguments_;
+  Session& session_;
+  const PlannerSpec& planner_;
+  Session::View view_;
+  Coordinates coordinates_;
+};
+
+QueryAnswer QueryBatch::answer(const QueryRow& row) const {
+  QueryAnswer answer{
+      .line = row.line, .start = row.start, .goal = row.goal, .status = {}, .reason = {}};
+  if (!row.wrong.empty()) {
+    refuse(answer, row.wrong);
+    return answer;
+  }
+  if (Interruptible::cancelled()) {
+    fail(answer, Status::cancelled, std::string(describe(Status::cancelled)));
+    return answer;
+  }
+  try {
+    ask(answer);
+  } catch (const InputError& error) {
+    const std::string_view wrong = error.what();  // "--start: ..." of what a column says here
+    refuse(answer, wrong.substr(wrong.starts_with("--") ? 2 : 0));
+  } catch (const std::bad_alloc&) {
+    fail(answer, Status::memory_limit, std::string(describe(Status::memory_limit)));
+  }
+  return answer;
+}
+
+void QueryBatch::ask(QueryAnswer& answer) const {
+  PlanRequest request = typed_request(planner_, view_.space, coordinates_,
+                                      {answer.start, {answer.goal}, arguments_.ends.tolerance});
+  arguments_.leeway.allow(request, coordinates_);
+  request.limits = arguments_.limits.limits();
+  request.explain = false;
+  auto run = session_.begin(view_, request);
+  if (!run) return fail(answer, run.error().status, run.error().message);
+  auto found = run->finish();
+  if (found) {
+    answer.status = to_string(Status::found);
+    answer.reason = fmt::format("{}", fmt::join(run->notes(), "; "));
+    answer.plan = std::move(found->plan);
+    answer.seconds = found->search_seconds;
+    answer.lead_out = std::move(found->lead_out);
+    answer.remaining = found->remaining;
+    return;
+  }
+  answer.plan.metrics = found.error().metrics;
+  answer.seconds = found.error().search_seconds;
+  // Finding the reason takes an extra search: worth it for one query, not for each of thousands.
+  const Status status = found.error().status;
+  fail(answer, status,
+       status == Status::unreachable
+           ? fmt::format("{}; `wend explain` shows the reason", describe(status))
+           : run->explain());
+}
+
+std::vector<QueryAnswer> answers_to(const std::vector<QueryRow>& rows, const QueryBatch& batch,
+                                    std::size_t count) {
   std::vector<QueryAnswer> answers(rows.size());
   const Interruptible interruptible;  // what is answered until then is reported
   ProgressBar progress("queries", rows.size());
   std::atomic<std::uint64_t> done = 0;
-  ThreadWorkers threads(static_cast<unsigned>(workers.size()));
+  ThreadWorkers threads(static_cast<unsigned>(count));
   threads.run(rows.size(), [&](std::size_t row, unsigned thread) {
-    answers[row] = workers[thread].answer(rows[row]);
+    answers[row] = batch.answer(rows[row]);
     ++done;
     if (thread == 0) progress.update(done);
   });
@@ -208,10 +182,15 @@ ExitCode run_queries(const PlanArguments& arguments, Session& session, const Pla
     throw InputError(built.error().message);
   }
   const std::size_t most = std::clamp<std::size_t>(rows.size(), 1, arguments.threads);
-  std::vector<QueryWorker> workers = make_workers(arguments, session, planner, most);
-  const Frame frame = value_or_throw(session.view()).space.map().frame();
-  const std::vector<QueryAnswer> answers = answers_to(rows, workers);
-  const auto text = [&](TableFormat format) { return text_of(planner, answers, frame, format); };
+  // One for each thread: they share what they prepare, and the session keeps them for the rows.
+  if (const auto made = session.planners(planner, most); !made) {
+    throw InputError(made.error().message);
+  }
+  const QueryBatch batch(arguments, session, planner);
+  const std::vector<QueryAnswer> answers = answers_to(rows, batch, most);
+  const auto text = [&](TableFormat format) {
+    return text_of(planner, answers, batch.frame(), format);
+  };
   if (!arguments.output.print()) print(text(arguments.format));
   arguments.output.write(
       {{".csv", [&](const std::string& file) { return write_bytes(file, text(TableFormat::csv)); }},

@@ -12,6 +12,7 @@
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
 #include "cli/output/plan_text.hpp"
+#include "cli/output/query_scene.hpp"
 #include "cli/watching/films.hpp"
 #include "cli/watching/frame.hpp"
 #include "cli/watching/narrator.hpp"
@@ -19,6 +20,7 @@
 #include "cli/watching/stepper.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/io/path/path_csv.hpp"
+#include "wend/planner/goal_region.hpp"
 #include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
@@ -55,13 +57,21 @@ PlanRun::PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec p
       spec_(std::move(planner)),
       index_(std::move(index)),
       deadline_(std::move(deadline)),
-      space_(value_or_throw(session.view()).space),
-      asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)),
-      refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()))) {
+      view_(value_or_throw(session.view())),
+      space_(view_.space),
+      coordinates_(arguments.map.coordinates(space_.map())),
+      request_(typed_request(spec_, space_, coordinates_, arguments.ends)),
+      asked_(query_of(request_, space_.map().frame())) {
   result_.times = times;
-  asked_->check(arguments.layers);
-  const bool arcs = info_of(spec_).capabilities.headings;
-  if (!arcs || !refinement_.simplify) return;
+  const bool poses = info_of(spec_).capabilities.headings;
+  if (poses && arguments.layers.any_from(LayerSource::cost_to_go)) {
+    throw InputError("--show: cost and policy support grid planners only");
+  }
+  request_.refinement = arguments.refine.refinement(coordinates_);
+  request_.corner_rounding = arguments.refine.rounding(coordinates_);
+  if (arguments.trajectory.wanted()) request_.trajectory = arguments.trajectory.limits();
+  arguments.leeway.allow(request_, coordinates_);
+  if (!poses || !request_.refinement.simplify) return;
   throw InputError(fmt::format(
       "--simplify supports grid planners only: the path of the planner {} consists of arcs",
       spec_.name));
@@ -80,24 +90,32 @@ void PlanRun::plan() {
   result_.capabilities = info_of(spec_).capabilities;
   result_.cost_name = info_of(spec_).cost_name;
   result_.footprint = space_.footprint();
-  auto planner = make_planner();
-  if (!planner) {
-    if (planner.error().status == Status::invalid_option) {
-      throw InputError(planner.error().message);
+  {
+    const auto planner = make_planner();
+    if (!planner) {
+      if (planner.error().status == Status::invalid_option) {
+        throw InputError(planner.error().message);
+      }
+      return fail(planner.error().status, planner.error().message);
     }
-    return fail(planner.error().status, planner.error().message);
+    describe(**planner);
   }
-  planner_ = std::make_unique<WarmPlanner>(*std::move(planner));
-  moves_ = (*planner_)->grid_moves().value_or(GridMoves{});
-  refinement_.adjacency = moves_.adjacency();
-  result_.states = (*planner_)->state_count();
-  result_.places = (*planner_)->place_grid();
-  result_.anytime = (*planner_)->anytime();
+  search();
+}
+
+void PlanRun::describe(const Planner& planner) {
+  moves_ = planner.grid_moves().value_or(GridMoves{});
+  result_.states = planner.state_count();
+  result_.places = planner.place_grid();
+  result_.anytime = planner.anytime();
+  result_.planned_as_disc = explainer_for(space_, coordinates_, moves_).planned_as_disc(planner);
   if (!arguments_.plot.empty() && !result_.anytime) {
     throw InputError(
         "--plot changes nothing without --initial-weight above 1: the planner finds one path");
   }
-  search();
+  if (steps() && !info_of(spec_).capabilities.can_step) {
+    throw InputError(fmt::format("--step: the planner {} does not support stepping", spec_.name));
+  }
 }
 
 Expected<WarmPlanner, Error> PlanRun::make_planner() {
@@ -108,203 +126,161 @@ Expected<WarmPlanner, Error> PlanRun::make_planner() {
                [&] { return session_.planner(spec_, deadline_); });
 }
 
-/// The limits of the next search: the time until now counts.
-Limits PlanRun::limits_left(ProgressBar& progress) const {
-  Limits limits = arguments_.limits.limits(progress);
-  limits.seconds = deadline_.seconds_left();
-  return limits;
+PlanRequest PlanRun::request(ProgressBar& progress) const {
+  PlanRequest request = request_;
+  request.planner = spec_;
+  request.limits = arguments_.limits.limits(progress);
+  return request;
 }
 
 void PlanRun::search() {
   ProgressBar progress("planning", result_.states);
-  const Coordinates coordinates = arguments_.map.coordinates(space_.map());
-  const Leeway leeway = arguments_.leeway.leeway(coordinates);
-  Explainer explainer = explainer_for(space_, coordinates, moves_);
-  explainer.allow(leeway);
-  explainer.stop_at(deadline_);
-  EasedQuery eased(asked_->query(), **planner_, explainer, coordinates, leeway);
-  asked_->move_ends(eased);
-  eased.query().limits = limits_left(progress);
+  PlanRequest asked = request(progress);
   ObserverList told;
   Narrator narrator(space_.map().frame());
   if (arguments_.watch.verbose) told.add(narrator);
-  if (records()) recorder_.emplace(asked_->recorder());
-  std::optional<PosthocTrace> trace;
-  if (!arguments_.watch.trace.empty()) {
-    told.add(
-        trace.emplace(asked_->trace(arguments_.watch.trace_form(), arguments_.watch.trace_limit)));
+  if (records()) {
+    recorder_.emplace(info_of(spec_).capabilities.headings ? SearchRecorder(space_, result_.places)
+                                                           : SearchRecorder(space_));
   }
-  if (steps() && recorder_) {
-    result_.status = search_in_steps(eased.query(), *recorder_, told);
-    if (eased.ease_goals(result_.status)) search_to_the_end(eased.query());
-  } else {
-    search_to_the_end(eased.query());
-    if (eased.ease_goals(result_.status)) search_to_the_end(eased.query());
-    if (recorder_) told.add(*recorder_);
-    const bool cancelled = result_.status == Status::cancelled;
-    if (!told.empty() && !cancelled) search_for(told, eased.query());
-  }
-  if (result_.status == Status::found) eased.finish(result_.plan);
-  note_what_was_eased(eased, explainer);
-  eased.query().limits = arguments_.limits.limits(progress);  // as messages name them
-  if (result_.status != Status::found) {
-    fail(result_.status, explainer.explain(**planner_, eased.query(), ends_of(eased),
-                                           result_.status, result_.plan.metrics));
-  }
-  if (result_.status == Status::found && arguments_.refine.any()) refine_path();
-  if (trace && result_.status != Status::cancelled) write_trace(*trace);
-  if (result_.status == Status::found) put_lead_before(eased);
-  if (result_.status == Status::found && arguments_.trajectory.wanted()) time_path();
-  make_layers(eased.query().limits);
-}
-
-void PlanRun::note_what_was_eased(const EasedQuery& eased, const Explainer& explainer) {
-  for (const std::string& note : eased.notes()) complain(note);
-  result_.notes = eased.notes();
-  result_.planned_as_disc = explainer.planned_as_disc(**planner_);
-  if (!result_.planned_as_disc.empty()) {
-    result_.notes.push_back("the robot is " + result_.planned_as_disc);
-  }
-}
-
-/// The ends as they were asked for, but for a start that is led out.
-Ends PlanRun::ends_of(const EasedQuery& eased) const {
-  Ends ends = asked_->ends();
-  if (eased.lead_out()) {
-    ends.start =
-        Units(arguments_.map.coordinates(space_.map())).place("start", eased.query().start.point());
-  }
-  return ends;
-}
-
-/// Before the path that the search and its trace know, and before the refined one.
-void PlanRun::put_lead_before(const EasedQuery& eased) {
-  result_.lead_out = eased.lead_out();
-  if (const auto remaining = eased.remaining()) {
-    result_.remaining = *remaining * space_.map().frame().resolution;
-  }
-  const Path& lead = eased.lead();
-  if (lead.empty()) return;
-  begin_with(lead, result_.plan, space_.map().frame());
-  if (result_.refined)
-    result_.refined =
-        with_lead(lead, *std::move(result_.refined), space_,
-                  arguments_.refine.rounding(arguments_.map.coordinates(space_.map())));
-}
-
-void PlanRun::search_to_the_end(Query query) {
-  const Interruptible interruptible;  // what it did until then is reported
-  if (result_.anytime) {
-    query.on_solution = [this, begun = thread_cpu_seconds()](const Plan& plan) {
+  std::optional<SteppedSearch> steps;
+  if (this->steps() && recorder_) asked.observer = &steps.emplace(*recorder_, told).observer();
+  if (result_.anytime && !steps) {
+    asked.on_solution = [this, begun = thread_cpu_seconds()](const Plan& plan) {
       result_.solutions.push_back(
           {thread_cpu_seconds() - begun, plan.cost, plan.bound, plan.metrics.expanded});
     };
   }
-  result_.status = timed(thread_cpu_seconds, result_.times.search,
-                         [&] { return (*planner_)->plan(query, result_.plan); });
+  auto run = session_.begin(view_, asked, deadline_);
+  if (!run) return fail(run.error().status, run.error().message);
+  if (run->lead().empty()) asked_.start = run->query().start;
+  asked_.goals = run->query().goals;
+  std::optional<PosthocTrace> trace;
+  if (!arguments_.watch.trace.empty()) told.add(trace.emplace(trace_of(asked_)));
+  if (!steps) {
+    run_to_the_end(*run);
+    if (recorder_) told.add(*recorder_);
+    const bool cancelled = run->run() == Status::cancelled;
+    if (!told.empty() && !cancelled) run->repeat(told);
+  } else if (arguments_.watch.step) {
+    step_by_keys(*steps, *run);
+  } else {
+    step_to_the_end(*steps, *run);
+  }
+  take(run->finish(), *run);
+  if (trace && result_.status != Status::cancelled) write_trace(*trace);
+  make_layers(run->planner(), asked.limits);
 }
 
-/// Repeats the search, as far as it went, with an observer, so that the observer's time does not
-/// count as the search's. Ctrl-C ends the program.
-void PlanRun::search_for(SearchObserver& observer, Query query) {
-  query.limits = {};
-  query.limits.expansions = result_.plan.metrics.expanded;
-  query.observer = &observer;
-  Plan plan;
-  (*planner_)->plan(query, plan);
+PosthocTrace PlanRun::trace_of(const Query& query) const {
+  const TraceForm form = arguments_.watch.trace_form();
+  const std::uint64_t most = arguments_.watch.trace_limit;
+  if (info_of(spec_).capabilities.headings) return {space_, query, result_.places, form, most};
+  const bool near = query.goals.front().tolerance > 0;
+  return {space_, coordinates_.place("start", query.start.point()).cell,
+          near ? goal_cells(space_, query) : cells_of_goals(query, coordinates_), form, most};
+}
+
+void PlanRun::run_to_the_end(SearchRun& run) {
+  const Interruptible interruptible;  // what it did until then is reported
+  run.run();
+}
+
+/// What was found, or why nothing was, and what is said of it.
+void PlanRun::take(Expected<PlanAnswer, RequestFailure> answer, const SearchRun& run) {
+  for (const std::string& note : run.notes()) complain(note);
+  if (answer) {
+    result_.notes = std::move(answer->notes);
+    result_.plan = std::move(answer->plan);
+    result_.times.search = answer->search_seconds;
+    result_.lead_out = std::move(answer->lead_out);
+    result_.remaining = answer->remaining;
+    if (answer->fault) return take_fault(*answer->fault, answer->refined.has_value());
+    if (answer->refined) {
+      request_.refinement.adjacency = moves_.adjacency();
+      result_.refined = refined_path(result_.plan.path, request_.refinement,
+                                     *std::move(answer->refined), space_, request_.corner_rounding);
+    }
+    if (!answer->trajectory) return;
+    result_.trajectory = arguments_.trajectory.sampled(*std::move(answer->trajectory));
+    return;
+  }
+  result_.notes = run.notes();
+  if (!result_.planned_as_disc.empty()) {
+    result_.notes.push_back("the robot is " + result_.planned_as_disc);
+  }
+  result_.times.search = answer.error().search_seconds;
+  result_.plan.metrics = answer.error().metrics;
+  fail(answer.error().status, std::move(answer.error().message));
+}
+
+/// There is a path, but what was to be done with it cannot be done, or there is no time for it.
+void PlanRun::take_fault(const Error& fault, bool refined) {
+  if (!is_limit(fault.status)) {
+    const bool of_trajectory = refined || !arguments_.refine.any();
+    throw InputError((of_trajectory ? "the trajectory: " : "") + fault.message);
+  }
+  result_.plan.path.clear();
+  fail(fault.status, fault.message);
 }
 
 /// Is the search looked at before it is over?
 bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.open_list; }
 
-/// Only the search is timed, not the person.
-Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told) {
-  if (!info_of(spec_).capabilities.can_step) {
-    throw InputError(fmt::format("--step: the planner {} does not support stepping", spec_.name));
-  }
-  SteppedSearch search(**planner_, query, recorder, told, result_.plan);
-  const Status status =
-      arguments_.watch.step ? step_by_keys(search, recorder) : step_to_the_end(search);
-  result_.times.search = search.seconds();
-  return status;
-}
+/// Has it told anything?
+bool PlanRun::searched() const { return recorder_ && !recorder_->expansions().empty(); }
 
 /// Tells the open list on the way, if that is asked for.
-std::optional<Status> PlanRun::go_on(SteppedSearch& search) {
+std::optional<Status> PlanRun::go_on(SteppedSearch& search, const SearchRun& run) {
   if (arguments_.watch.open_list && search.expansions() == open_lists_told_) {
-    tell(open_list_text((*planner_)->open_list(kMostOpenEntries), space_.map().frame()));
+    tell(open_list_text(run.open_list(kMostOpenEntries), space_.map().frame()));
     ++open_lists_told_;
   }
   return search.go_on();
 }
 
-Status PlanRun::step_to_the_end(SteppedSearch& search) {
-  auto outcome = search.begin();
-  while (!outcome) outcome = go_on(search);
-  return *outcome;
+void PlanRun::step_to_the_end(SteppedSearch& search, SearchRun& run) {
+  auto outcome = search.begin(run);
+  while (!outcome) outcome = go_on(search, run);
 }
 
-Status PlanRun::step_by_keys(SteppedSearch& search, const SearchRecorder& recorder) {
-  auto outcome = search.begin();
-  if (outcome) return *outcome;
+void PlanRun::step_by_keys(SteppedSearch& search, SearchRun& run) {
+  auto outcome = search.begin(run);
+  if (outcome) return;
   // Lines of --verbose would come in between.
   Stepper stepper(screen_.is_terminal && !(arguments_.watch.verbose && progress_is_seen()));
   std::uint64_t next = 1;  // after how many expansions to show it
   while (!outcome) {
     if (search.expansions() < next) {
-      outcome = go_on(search);
+      outcome = go_on(search, run);
       continue;
     }
-    const auto wanted = stepper.ask(step_text(search, recorder), search.expansions());
+    const auto wanted = stepper.ask(step_text(search, run), search.expansions());
     if (!wanted) {
       outcome_is_shown_ = stepper.in_place();
-      return Status::cancelled;
+      return run.cancel();
     }
     next = *wanted;
     if (next < search.expansions()) outcome = search.go_back_to(next);
   }
   stepper.finish();
-  return *outcome;
 }
 
-void PlanRun::refine_path() {
-  auto refined =
-      refine(result_.plan.path, space_, refinement_,
-             arguments_.refine.rounding(arguments_.map.coordinates(space_.map())), deadline_);
-  if (!refined) return give_up(refined.error());
-  result_.refined = *std::move(refined);
-}
-
-/// There is a path, but no time for what was to be done with it.
-void PlanRun::give_up(const Error& why) {
-  result_.plan.path.clear();
-  result_.refined.reset();
-  fail(why.status, why.message);
-}
-
-void PlanRun::time_path() {
-  const TrajectoryArguments& trajectory = arguments_.trajectory;
-  auto timed = trajectory.along(
-      path(), space_, arguments_.refine.rounding(arguments_.map.coordinates(space_.map())),
-      refinement_.adjacency, trajectory.limits(), deadline_);
-  if (!timed) return give_up(timed.error());
-  result_.trajectory = *std::move(timed);
-}
-
-void PlanRun::make_layers(const Limits& limits) {
-  std::optional<CostToGo> field;
-  if (arguments_.layers.any_from(LayerSource::cost_to_go))
-    field = asked_->cost_to_go(moves_, limits);
-  const bool searched = recorder_ && !recorder_->expansions().empty();
-  layers_.clear();
-  for (const LayerKind kind : arguments_.layers.kinds()) {
+void PlanRun::make_layers(const Planner& planner, const Limits& limits) {
+  const auto& chosen = arguments_.layers;
+  std::optional<Session::Field> field;
+  if (chosen.any_from(LayerSource::cost_to_go)) {
+    auto made = session_.cost_to_go(view_, goal_cells(space_, asked_), moves_, limits);
+    if (made) field = *std::move(made);
+  }
+  for (const LayerKind kind : chosen.kinds()) {
     switch (source_of(kind)) {
       case LayerSource::search:
-        if (!searched) break;
-        layers_.push_back(arguments_.layers.counted(search_layer(kind, **planner_, *recorder_)));
+        if (!searched()) break;
+        layers_.push_back(chosen.counted(search_layer(kind, planner, *recorder_)));
         break;
       case LayerSource::cost_to_go:
-        if (field) layers_.push_back(cost_to_go_layer(kind, space_, *field));
+        if (field) layers_.push_back(cost_to_go_layer(kind, space_, *field->costs));
         break;
       case LayerSource::map:
         layers_.push_back(map_layer(kind, space_));
@@ -318,10 +294,12 @@ void PlanRun::fail(Status status, std::string reason) {
   result_.reason = std::move(reason);
 }
 
+Scene PlanRun::scene() const { return query_scene(spec_, space_, asked_); }
+
 /// A path may cross itself, as a random walk does, which arrows cannot show, and a search that was stopped has no path:
 /// the cells that they visited are shown instead.
 Scene PlanRun::outcome() const {
-  Scene scene = asked_->scene();
+  Scene scene = this->scene();
   if (result_.refined) {
     const Path& refined = result_.refined->refined.path;
     if (refined.driven()) {
@@ -334,29 +312,29 @@ Scene PlanRun::outcome() const {
   const bool crosses = recorder_ && crosses_itself(result_.plan.path);
   if (!crosses && !result_.plan.path.empty()) {
     scene.path = result_.plan.path;
-  } else if (recorder_ && !recorder_->expansions().empty()) {
+  } else if (searched()) {
     scene.marked = {{CellRole::expanded, recorder_->snapshot().expanded}};
   }
   return scene;
 }
 
-std::string PlanRun::step_text(const SteppedSearch& search, const SearchRecorder& recorder) const {
-  const SearchSnapshot snapshot = recorder.snapshot();
+std::string PlanRun::step_text(const SteppedSearch& search, const SearchRun& run) const {
+  const SearchSnapshot snapshot = recorder_->snapshot();
   std::vector<Layer> layers;
   for (const LayerKind kind : arguments_.layers.kinds()) {
     if (source_of(kind) == LayerSource::search) {
       layers.push_back(arguments_.layers.as_numbers(
-          arguments_.layers.counted(search_layer(kind, **planner_, recorder))));
+          arguments_.layers.counted(search_layer(kind, run.planner(), *recorder_))));
     }
   }
-  const OpenList open = (*planner_)->open_list(kMostOpenEntries);
+  const OpenList open = run.open_list(kMostOpenEntries);
   const Frame& frame = space_.map().frame();
   const std::string keys = Stepper::keys(screen_.columns);
   const auto rows_below =
       kRowsOfStep + static_cast<int>(std::count(keys.begin(), keys.end(), '\n'));
-  const std::string text = frame_text(with_snapshot(asked_->scene(), snapshot), layers, screen_,
-                                      arguments_.pictures.style, rows_below,
-                                      [&](int rows) { return open_list_text(open, frame, rows); });
+  const std::string text =
+      frame_text(with_snapshot(scene(), snapshot), layers, screen_, arguments_.pictures.style,
+                 rows_below, [&](int rows) { return open_list_text(open, frame, rows); });
   const auto& event = search.last_expansion();
   return text +
          fmt::format("expansion {}: {}, frontier {}\n", search.expansions(),
@@ -370,19 +348,19 @@ std::string PlanRun::text() const {
   const bool small = is_small(space_.map(), screen_);
   const bool quit = arguments_.watch.step && outcome_is_shown_;
   if (quit) return text;
-  if (found) text += asked_->steps(result_.plan, screen_);
+  if (found) text += plan_steps(result_, coordinates_, small);
   for (const Layer& layer : layers_) {
     text +=
         layer_text(outcome(), arguments_.layers.as_numbers(layer), screen_, arguments_.pictures);
   }
   std::string summary;
-  if (found) summary += asked_->summary(result_);
+  if (found) summary += plan_summary(result_, coordinates_, asked_.goals.size());
   if (found && built_index_) {
     summary += "index     built for this query and not saved; `wend index build` saves it\n";
   }
   if (found && arguments_.times) summary += times_lines(result_.times);
   if (result_.refined) {
-    summary += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
+    summary += "\n" + refined_text(*result_.refined, coordinates_);
   }
   if (result_.trajectory) summary += trajectory_text(result_.trajectory->trajectory);
   // Of a failure there is something to see where a search has begun.
@@ -402,16 +380,12 @@ void PlanRun::write_trace(PosthocTrace& trace) const {
       watch.trace, watch.trace_limit, trace.dropped()));
 }
 
-/// As it is driven: refined, if that was asked for.
-const Path& PlanRun::path() const {
-  return result_.refined ? result_.refined->refined.path : result_.plan.path;
-}
-
 std::string PlanRun::csv() const {
   if (result_.status != Status::found) {
     return no_path_csv({std::string(to_string(result_.status)), result_.reason});
   }
-  return path_csv(path(), space_.map().frame());
+  const Path& driven = result_.refined ? result_.refined->refined.path : result_.plan.path;
+  return path_csv(driven, space_.map().frame());
 }
 
 std::string PlanRun::json() const {
@@ -425,9 +399,11 @@ std::string PlanRun::json() const {
 std::vector<Panel> PlanRun::panels() const {
   if (result_.status == Status::found) return layer_panels(outcome(), layers_);
   const bool gave_up = result_.plan.metrics.expanded > 0 && result_.status != Status::unreachable;
-  std::vector<Panel> panels{{fmt::format("no path: {}", to_string(result_.status)),
-                             gave_up ? outcome() : asked_->scene_of_failure(result_.status, moves_),
-                             result_.reason}};
+  std::vector<Panel> panels{
+      {fmt::format("no path: {}", to_string(result_.status)),
+       gave_up ? outcome()
+               : failure_scene(spec_, space_, asked_, result_.status, moves_, coordinates_),
+       result_.reason}};
   if (layers_.empty()) return panels;
   for (Panel& panel : layer_panels(outcome(), layers_)) panels.push_back(std::move(panel));
   return panels;
@@ -435,8 +411,7 @@ std::vector<Panel> PlanRun::panels() const {
 
 Expected<std::string, Error> PlanRun::film() const {
   const Style style = style_of(arguments_.pictures.style);
-  const bool searched = recorder_ && !recorder_->expansions().empty();
-  if (!searched) return gif_of(panels().front().title, panels().front().scene, style);
+  if (!searched()) return gif_of(panels().front().title, panels().front().scene, style);
   const FilmedSearch search{spec_.name, outcome(), &*recorder_};
   return gif_of(std::span(&search, 1), arguments_.watch.speed, style);
 }
@@ -471,8 +446,7 @@ void PlanRun::write_plot() const {
 }
 
 void PlanRun::print_results() {
-  const bool searched = recorder_ && !recorder_->expansions().empty();
-  if (arguments_.watch.animate && searched) {
+  if (arguments_.watch.animate && searched()) {
     play(outcome(), *recorder_, screen_, arguments_.pictures, arguments_.watch.speed);
     outcome_is_shown_ = true;
   }

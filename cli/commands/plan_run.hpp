@@ -2,7 +2,6 @@
 
 // One query of `wend plan`, from its arguments to its outcome.
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +14,7 @@
 #include "cli/arguments/refine_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
 #include "cli/arguments/trajectory_arguments.hpp"
-#include "cli/commands/typed_query.hpp"
+#include "cli/arguments/typed_request.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
@@ -27,7 +26,7 @@
 #include "wend/planner/planner.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/plan_report.hpp"
-#include "wend/session/eased_query.hpp"
+#include "wend/report/posthoc_trace.hpp"
 #include "wend/session/session.hpp"
 
 namespace wend::cli {
@@ -71,30 +70,27 @@ class PlanRun {
 
  private:
   Expected<WarmPlanner, Error> make_planner();
-  Limits limits_left(ProgressBar& progress) const;
+  void describe(const Planner& planner);
+  PlanRequest request(ProgressBar& progress) const;
   void search();
-  void search_to_the_end(Query query);
-  void note_what_was_eased(const EasedQuery& eased, const Explainer& explainer);
-  Ends ends_of(const EasedQuery& eased) const;
-  void put_lead_before(const EasedQuery& eased);
-  void search_for(SearchObserver& observer, Query query);
-  Status search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told);
-  std::optional<Status> go_on(SteppedSearch& search);
-  Status step_to_the_end(SteppedSearch& search);
-  Status step_by_keys(SteppedSearch& search, const SearchRecorder& recorder);
-  void refine_path();
-  void give_up(const Error& why);
-  void time_path();
-  void make_layers(const Limits& limits);
+  PosthocTrace trace_of(const Query& query) const;
+  void run_to_the_end(SearchRun& run);
+  std::optional<Status> go_on(SteppedSearch& search, const SearchRun& run);
+  void step_to_the_end(SteppedSearch& search, SearchRun& run);
+  void step_by_keys(SteppedSearch& search, SearchRun& run);
+  void take(Expected<PlanAnswer, RequestFailure> answer, const SearchRun& run);
+  void take_fault(const Error& fault, bool refined);
+  void make_layers(const Planner& planner, const Limits& limits);
   void fail(Status status, std::string reason);
 
   bool records() const;
   bool steps() const;
+  bool searched() const;
+  Scene scene() const;
   Scene outcome() const;
   std::string text() const;
-  std::string step_text(const SteppedSearch& search, const SearchRecorder& recorder) const;
+  std::string step_text(const SteppedSearch& search, const SearchRun& run) const;
   std::vector<Panel> panels() const;
-  const Path& path() const;
   std::string csv() const;
   std::string json() const;
   Expected<std::string, Error> film() const;
@@ -110,13 +106,14 @@ class PlanRun {
   IndexArgument index_;
   Deadline deadline_;  // of all that is done for the query
   bool built_index_ = false;
-  FreeSpace space_;
-  std::unique_ptr<TypedQuery> asked_;
-  std::unique_ptr<WarmPlanner> planner_;  // null until it is made
-  GridMoves moves_;                       // of a planner on cells
+  Session::View view_;
+  const FreeSpace& space_;
+  Coordinates coordinates_;
+  PlanRequest request_;  // without limits and observers
+  Query asked_;          // the same in grid coordinates; ends that were moved
+  GridMoves moves_;      // of a planner on cells
   std::optional<SearchRecorder> recorder_;
   std::vector<Layer> layers_;
-  Refinement refinement_;
   PlanResult result_;
   std::uint64_t open_lists_told_ = 0;
   bool outcome_is_shown_ = false;  // on the terminal, by what was watched

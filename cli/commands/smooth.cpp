@@ -165,8 +165,8 @@ std::optional<SampledTrajectory> trajectory_of(const SmoothArguments& arguments,
                                                const FreeSpace& space, Adjacency adjacency) {
   if (!arguments.trajectory.wanted()) return std::nullopt;
   const double window = arguments.points.rounding(arguments.map.coordinates(space.map()));
-  auto sampled = value_or_throw(
-      arguments.trajectory.along(path, space, window, adjacency, arguments.trajectory.limits()));
+  auto sampled =
+      arguments.trajectory.along(path, space, window, adjacency, arguments.trajectory.limits());
   arguments.trajectory.write(sampled);
   return sampled;
 }
@@ -192,7 +192,7 @@ int run(const SmoothArguments& arguments) {
     refuse_collision(arguments, space, path, *collision, coordinates);
   }
   const RefinedPath refined =
-      value_or_throw(refine(path, space, refinement, arguments.points.rounding(coordinates)));
+      refine(path, space, refinement, arguments.points.rounding(coordinates));
   const auto trajectory =
       trajectory_of(arguments, refined.refined.path, space, refinement.adjacency);
   const Scene scene = scene_of(space, lines_of(refined));

@@ -113,14 +113,7 @@ std::string eased_lines(const PlanResult& result, const Frame& frame) {
   return text;
 }
 
-}  // namespace
-
-std::string time_text(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.1f} us", seconds * 1e6);
-  if (seconds < 1) return fmt::format("{:.2f} ms", seconds * 1e3);
-  return fmt::format("{:.2f} s", seconds);
-}
-
+/// "(1,1)>(2,1)>(3,1)" and a line end
 std::string path_line(const Path& path, const Frame& frame) {
   std::string text;
   const auto append = [&text](const std::string& joint) {
@@ -138,10 +131,12 @@ std::string path_line(const Path& path, const Frame& frame) {
   return text + '\n';
 }
 
+/// Which of several goals was reached.
 std::string goal_line(const std::string& goal, std::size_t goals) {
   return named_line("goal", fmt::format("{}, {}", goal, one_of(goals)));
 }
 
+/// How far the ends of a path of cells are from what was asked; empty if they are there.
 std::string shift_line(const PlanResult& result, const Coordinates& coordinates) {
   // A goal that no path reaches has a line of its own.
   const SnappingError goal =
@@ -150,11 +145,12 @@ std::string shift_line(const PlanResult& result, const Coordinates& coordinates)
   return shifts.empty() ? shifts : named_line("ends", "in the middles of cells: " + shifts);
 }
 
+/// That a planner without headings used the disc around the robot's polygon; empty for any other robot.
 std::string robot_line(const PlanResult& result) {
   return result.planned_as_disc.empty() ? "" : named_line("robot", result.planned_as_disc);
 }
 
-std::string plan_summary(const PlanResult& result, const Frame& frame) {
+std::string cells_summary(const PlanResult& result, const Frame& frame) {
   const Plan& plan = result.plan;
   return named_line("planner", result.planner) +
          named_line("cost", fmt::format("{:.6g}", plan.cost)) +
@@ -177,6 +173,33 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
          named_line("length", length_text(plan.path.length(), frame)) + eased_lines(result, frame) +
          named_line("quality", bound_text(plan)) + solution_lines(result) +
          work_line(plan.metrics, fmt::format("of {} states", result.states));
+}
+
+}  // namespace
+
+std::string time_text(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.1f} us", seconds * 1e6);
+  if (seconds < 1) return fmt::format("{:.2f} ms", seconds * 1e3);
+  return fmt::format("{:.2f} s", seconds);
+}
+
+std::string plan_steps(const PlanResult& result, const Coordinates& coordinates, bool small) {
+  constexpr std::size_t kMostCommands = 400;
+  if (!result.capabilities.headings) {
+    return small ? path_line(result.plan.path, coordinates.frame()) : "";
+  }
+  if (!result.places.on_corners() && result.plan.moves.size() > kMostCommands) return "";
+  return drive_commands(result.plan, coordinates.frame_of_texts());
+}
+
+std::string plan_summary(const PlanResult& result, const Coordinates& coordinates,
+                         std::size_t goals) {
+  if (result.capabilities.headings) {
+    return robot_line(result) + drive_summary(result, coordinates, goals);
+  }
+  const std::string end = coordinates.text(cell_at(result.plan.path.points().back()));
+  return (goals > 1 ? goal_line(end, goals) : "") + shift_line(result, coordinates) +
+         robot_line(result) + cells_summary(result, coordinates.frame());
 }
 
 std::string work_line(const SearchMetrics& metrics, const std::string& states) {

@@ -16,25 +16,13 @@ inline constexpr const char* kTimesHelp = "Also print times of all stages, and m
 /// "3.5 us", "12.25 ms", "1.50 s"
 std::string time_text(double seconds);
 
-/// "(1,1)>(2,1)>(3,1)" and a line end
-std::string path_line(const Path& path, const Frame& frame);
+/// The path step by step, as lines: "(1,1)>(2,1)>(3,1)", or commands for a drive. Empty if the map is too large for
+/// that to help; `small` says whether it is not.
+std::string plan_steps(const PlanResult& result, const Coordinates& coordinates, bool small);
 
-/// Which of several goals was reached: a line.
-std::string goal_line(const std::string& goal, std::size_t goals);
-
-/// How far the ends of a path of cells are from what was asked, with its line end; empty if they are there.
-std::string shift_line(const PlanResult& result, const Coordinates& coordinates);
-
-/// A line that says that a planner without headings used the disc around the robot's polygon; empty
-/// for any other robot.
-std::string robot_line(const PlanResult& result);
-
-/// What was found, a line for each thing.
-std::string plan_summary(const PlanResult& result, const Frame& frame);
-
-/// The same for a car's path. The coordinates are the user's.
-std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
-                          std::size_t goals);
+/// What was found and what it took, a line for each thing. The coordinates are the user's; `goals` were given.
+std::string plan_summary(const PlanResult& result, const Coordinates& coordinates,
+                         std::size_t goals);
 
 /// What the search did, also for a failure. `states` names what was expanded: "cells".
 std::string work_line(const SearchMetrics& metrics, const std::string& states = "cells");

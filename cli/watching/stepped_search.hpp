@@ -11,7 +11,7 @@
 #include "cli/watching/narrator.hpp"
 #include "wend/analysis/search_recorder.hpp"
 #include "wend/planner/observer.hpp"
-#include "wend/planner/planner.hpp"
+#include "wend/session/search_run.hpp"
 
 namespace wend::cli {
 
@@ -69,13 +69,14 @@ class ToldOnce final : public SearchObserver {
 
 class SteppedSearch {
  public:
-  /// The planner must support stepping. `told` gets every event once, however often the search
-  /// goes back. All must outlive this; the query's own observer is not used.
-  SteppedSearch(Planner& planner, Query query, SearchRecorder& recorder, SearchObserver& told,
-                Plan& plan);
+  /// `told` gets every event once, however often the search goes back. Both must outlive this.
+  SteppedSearch(SearchRecorder& recorder, SearchObserver& told);
 
-  /// Goes to before the first expansion. An outcome if the search is over.
-  std::optional<Status> begin();
+  /// What has to watch the search.
+  SearchObserver& observer() { return observers_; }
+
+  /// Goes to before the first expansion of a run, which must outlive this. An outcome if the search is over.
+  std::optional<Status> begin(SearchRun& run);
 
   /// Makes one expansion. An outcome if the search is over.
   std::optional<Status> go_on();
@@ -83,23 +84,17 @@ class SteppedSearch {
   /// Goes back to the state after this number of expansions. An outcome if the search is over.
   std::optional<Status> go_back_to(std::uint64_t expansions);
 
-  std::uint64_t expansions() const { return plan_.metrics.expanded; }
+  std::uint64_t expansions() const { return run_->plan().metrics.expanded; }
 
   /// What was expanded last; nothing before the first expansion.
   const std::optional<SearchEvent>& last_expansion() const { return last_.event(); }
 
-  /// The CPU time of the search and its observers since its last start.
-  double seconds() const { return seconds_; }
-
  private:
-  Planner& planner_;
-  Query query_;
   SearchRecorder& recorder_;
-  Plan& plan_;
   ToldOnce told_;
   LastExpansion last_;
   ObserverList observers_;
-  double seconds_ = 0;
+  SearchRun* run_ = nullptr;
 };
 
 }  // namespace wend::cli

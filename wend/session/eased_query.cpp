@@ -79,6 +79,16 @@ EasedQuery::EasedQuery(Query query, Planner& planner, const Explainer& explainer
   if (leeway_.closest) remaining_ = 0;
 }
 
+Ends EasedQuery::ends(const EndTexts& typed) const {
+  Ends ends = ends_of(query_, units_);
+  if (!typed.start.empty() && query_.start == asked_start_) ends.start.text = typed.start;
+  const std::size_t known = std::min(typed.goals.size(), asked_goals_.size());
+  for (std::size_t i = 0; i < std::min(known, ends.goals.size()); ++i) {
+    if (query_.goals[i].point == asked_goals_[i].point) ends.goals[i].text = typed.goals[i];
+  }
+  return ends;
+}
+
 /// "the start (3,4) is blocked: the cell is an obstacle"
 std::string EasedQuery::why_blocked(const Query& query) const {
   if (!planner_.grid_moves()) return planner_.reason(query, Status::start_blocked);
@@ -100,7 +110,6 @@ void EasedQuery::lead_start_out() {
 }
 
 void EasedQuery::move_ends() {
-  const Query before = query_;
   std::vector<std::string> notes;
   if (planner_.grid_moves()) {
     Ends ends = ends_of(query_, units_);
@@ -114,7 +123,6 @@ void EasedQuery::move_ends() {
   } else {
     notes = explainer_.move_to_nearest(query_, planner_);
   }
-  start_moved_ = query_.start != before.start;
   notes_.insert(notes_.end(), notes.begin(), notes.end());
 }
 

@@ -20,6 +20,7 @@
 #include "wend/planner/planner.hpp"
 #include "wend/session/explainer.hpp"
 #include "wend/session/leeway.hpp"
+#include "wend/session/plan_request.hpp"
 #include "wend/session/way_out.hpp"
 
 namespace wend {
@@ -36,8 +37,8 @@ class WEND_API EasedQuery {
   /// The same to set limits and observers.
   Query& query() { return query_; }
 
-  /// Was the start moved? A start that is led out was not.
-  bool start_moved() const { return start_moved_; }
+  /// Its ends in words; those that were not moved or led out, as they were typed.
+  Ends ends(const EndTexts& typed) const;
 
   /// May ease_goals() replace the goals after a search? False if it is known before that a path reaches one. O(goals).
   bool may_ease_goals() const;
@@ -73,7 +74,6 @@ class WEND_API EasedQuery {
   Leeway leeway_;
   Pose asked_start_;
   std::vector<Goal> asked_goals_;
-  bool start_moved_ = false;
   bool goals_eased_ = false;
   std::vector<std::string> notes_;
   Path lead_;

@@ -13,13 +13,16 @@ std::vector<MapPose> PlanAnswer::poses() const {
 }
 
 Query query_of(const PlanRequest& request, const Frame& frame) {
-  Query query{
-      frame.to_grid(request.start), {}, request.limits, request.observer, request.on_solution};
+  const bool given = request.coordinates == MapUnits::cells;  // as a query has them
+  const auto in_grid = [&](const MapPose& pose) {
+    return given ? Pose{pose.x, pose.y, pose.heading} : frame.to_grid(pose);
+  };
+  Query query{in_grid(request.start), {}, request.limits, request.observer, request.on_solution};
   for (const MapGoal& goal : request.goals) {
     const MapPose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
-    Goal& added = query.goals.emplace_back(frame.to_grid(pose));
+    Goal& added = query.goals.emplace_back(in_grid(pose));
     if (!goal.heading) added.heading.reset();
-    added.tolerance = goal.tolerance / frame.resolution;
+    added.tolerance = given ? goal.tolerance : goal.tolerance / frame.resolution;
     added.heading_tolerance = goal.heading_tolerance;
   }
   return query;

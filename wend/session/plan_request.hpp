@@ -7,10 +7,12 @@
 //   request.planner.name = "jps";
 //   request.refinement.smoother = wend::SmootherChoice{"gradient"};
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "wend/base/choice.hpp"
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/limits.hpp"
@@ -34,6 +36,21 @@ struct MapGoal {
   std::optional<double> heading = {};  // radians; unset: any heading
   double tolerance = 0;                // metres: how far from the point a path may end, see Goal
   double heading_tolerance = 0;        // radians: the same for the heading
+};
+
+/// What places and lengths are given or said in.
+enum class MapUnits { metres, cells };
+
+/// What people call the units: their names in options.
+constexpr std::array<Choice<MapUnits>, 2> choice_names(MapUnits) {
+  return {{{"metres", MapUnits::metres}, {"cells", MapUnits::cells}}};
+}
+
+/// What messages call the ends of a request: texts as a person typed them. Where one is empty, the place itself is
+/// said.
+struct EndTexts {
+  std::string start = {};               // "(1.5,2,45deg) m"
+  std::vector<std::string> goals = {};  // empty, or one for each goal
 };
 
 struct PlanRequest {
@@ -61,6 +78,11 @@ struct PlanRequest {
   Refinement refinement = {};                       // the planner's moves replace its adjacency
   std::optional<TrajectoryLimits> trajectory = {};  // also times the path
   double corner_rounding = kCornerRounding;         // cells; of the trajectory
+  /// What start, goals and tolerances are given in. In cells, they are grid coordinates, and so are their headings:
+  /// exactly what a Query has.
+  MapUnits coordinates = MapUnits::metres;
+  MapUnits wording = MapUnits::metres;  // of messages; where a map has no resolution, cells
+  EndTexts texts = {};                  // what messages call the ends
 
   /// What it may do where the robot cannot be.
   Leeway leeway() const { return {escape, nearest, nearest_limit, closest}; }

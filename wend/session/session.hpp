@@ -33,6 +33,7 @@
 #include "wend/robot/free_space.hpp"
 #include "wend/session/explainer.hpp"
 #include "wend/session/plan_request.hpp"
+#include "wend/session/search_run.hpp"
 #include "wend/session/warm_planners.hpp"
 
 namespace wend {
@@ -97,6 +98,16 @@ class WEND_API Session {
   /// The same on a view of this session.
   Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
 
+  /// Begins the search of plan(), for who wants to step it, to see its open list, or to have the paths of an anytime
+  /// planner one by one. Fails where there is nothing to search: as view() and making the planner do, or because the
+  /// request is invalid.
+  Expected<SearchRun, RequestFailure> begin(const PlanRequest& request);
+  /// The same on a view of this session.
+  Expected<SearchRun, RequestFailure> begin(const View& view, const PlanRequest& request);
+  /// The same with a limit on time that the caller counts: for what was done before belongs to the same call.
+  Expected<SearchRun, RequestFailure> begin(const View& view, const PlanRequest& request,
+                                            const Deadline& deadline);
+
   /// Why plan() or replan() failed on a view, at length: the message that it would have had with
   /// PlanRequest::explain, as far as it is known before the deadline. O(cells log cells).
   std::string explain(const View& view, const PlanRequest& request, const PlanFailure& failure,
@@ -127,8 +138,7 @@ class WEND_API Session {
   Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> plan_all(
       std::span<const PlanRequest> requests, const PlannerSpec& planner, Workers& workers);
 
-  /// A planner for queries in grid coordinates, for what plan() does not do: stepping, open lists. Fails as
-  /// make_planner() does.
+  /// A planner for queries in grid coordinates, for what plan() and begin() do not do. Fails as make_planner() does.
   Expected<WarmPlanner, Error> planner(const PlannerSpec& spec, const Deadline& deadline = {});
 
   /// One for each thread. They share what they prepare.
@@ -157,6 +167,9 @@ class WEND_API Session {
 
  private:
   struct State;
+
+  Expected<PlanAnswer, RequestFailure> replan(const View& view, const PlanRequest& request,
+                                              const Deadline& deadline);
 
   std::unique_ptr<State> state_;
 };
