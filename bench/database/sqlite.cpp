@@ -1,5 +1,7 @@
 #include "bench/database/sqlite.hpp"
 
+#include "wend/io/text.hpp"
+
 namespace wend {
 namespace {
 
@@ -22,7 +24,9 @@ void SqliteConnection::fail(const std::string& what) {
 
 void SqliteConnection::check(int code) {
   if (code == SQLITE_OK || code == SQLITE_ROW || code == SQLITE_DONE) return;
-  fail(database_ ? sqlite3_errmsg(database_.get()) : sqlite3_errstr(code));
+  // It may quote the schema, which is what the file says.
+  constexpr std::size_t kLongest = 300;
+  fail(text_line(database_ ? sqlite3_errmsg(database_.get()) : sqlite3_errstr(code), kLongest));
 }
 
 void SqliteConnection::run(const std::string& statements) {

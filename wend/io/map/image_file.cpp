@@ -8,12 +8,15 @@
 #include <system_error>
 #include <vector>
 
+#include "wend/io/text.hpp"
+
 namespace wend {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::string_view kHome = "~/";
+constexpr std::size_t kLongestPlace = 250;  // bytes, in a message that names several
 
 /// A place that cannot be looked at, such as the home folder of somebody else, is one where the image is not.
 bool is_there(const fs::path& file) {
@@ -62,7 +65,8 @@ Expected<ImageFile, Error> find_image(const std::string& name, const MapSource& 
   std::string message =
       fmt::format("image {}: cannot be opened: No such file or directory", places[0].string());
   for (std::size_t i = 1; i < places.size(); ++i) {
-    message += fmt::format("{} {}", i == 1 ? "; also looked for" : " and", places[i].string());
+    message += fmt::format("{} {}", i == 1 ? "; also looked for" : " and",
+                           text_line(places[i].string(), kLongestPlace));
   }
   if (places.size() > 1) message += ", beside the map.yaml";
   return file_failure(source.file, 0, message);
