@@ -379,12 +379,12 @@ WEND_C_API wend_status wend_request_set(wend_request* request, const char* name,
 
 /// A field of a request. The texts belong to the library and stay.
 typedef struct wend_field_info {
-  const char* name;  // "goal_tolerance"
-  const char* unit;  // "m", "rad", "s", or ""
-  const char* help;  // what it is, without a full stop
-  int32_t flag;      // 1 if its values are 0 and 1 only
-  double least;      // the least and the greatest value
-  double greatest;
+  const char* name;      // "goal_tolerance"
+  const char* unit;      // "m", "rad", "s", or ""
+  const char* help;      // what it is, without a full stop
+  int32_t flag;          // 1 if its values are 0 and 1 only
+  double least;          // the least value
+  double greatest;       // the greatest value; may be infinite
   double default_value;  // NaN where it has none
 } wend_field_info;
 

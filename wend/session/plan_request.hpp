@@ -39,7 +39,10 @@ struct MapGoal {
 };
 
 /// What places and lengths are given or said in.
-enum class MapUnits { metres, cells };
+enum class MapUnits {
+  metres,  // of the map's frame
+  cells    // grid coordinates
+};
 
 /// What people call the units: their names in options.
 constexpr std::array<Choice<MapUnits>, 2> choice_names(MapUnits) {
