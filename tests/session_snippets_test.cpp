@@ -7,14 +7,17 @@
 #include <vector>
 
 #include "tests/snippets.hpp"
+#include "wend/base/metric.hpp"
 #include "wend/explore/explorer.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/map/place_text.hpp"
 #include "wend/path/lead_out.hpp"
+#include "wend/path/path_metrics.hpp"
 #include "wend/planner/planner_options.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/overlap.hpp"
 #include "wend/session/eased_query.hpp"
+#include "wend/session/request_fields.hpp"
 #include "wend/session/session.hpp"
 #include "wend/session/shift_text.hpp"
 #include "wend/session/way_out.hpp"
@@ -226,6 +229,20 @@ TEST(Snippets, OfExplorationAndItsPlanner) {
   EXPECT_GT(drawn, 0U);
   const auto planner = wend::make_planner(space, wend::ReplannerOptions{});
   EXPECT_TRUE(planner);
+}
+
+TEST(Snippets, OfListsOfFieldsAndMetrics) {
+  const auto map = *wend::make_grid_map(wend::Grid<wend::CellState>(20, 20, wend::CellState::free));
+  wend::PlanRequest request{{1, 1, 0}, {{{15, 9}}}};
+  const wend::RequestField* const escape = wend::request_field("escape");
+  const auto set = escape->set(request, 0.5, map.frame().resolution);
+  EXPECT_TRUE(set);
+  EXPECT_EQ(request.escape, 0.5);
+  const auto space = *wend::make_free_space(map);
+  const wend::Path path(std::vector<wend::Cell>{{1, 1}, {1, 2}, {1, 3}});
+  for (const wend::Metric& metric : wend::metrics_of(*wend::measure(path, space))) {
+    std::cout << metric.name << ": " << metric.value << '\n';
+  }
 }
 
 }  // namespace
