@@ -58,8 +58,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME wend)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 # The program uses the library of this build: dpkg-shlibdeps finds it there, but knows no package of it.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}/wend")
+# It loads cairo and chafa when it draws, which dpkg-shlibdeps does not see.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS
-    "libwend${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}-1)")
+    "libwend${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}-1), libcairo2, libchafa0, libglib2.0-0")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
     "wend plans paths for robots on grid maps, smooths them and follows them.
