@@ -57,11 +57,12 @@ constexpr std::array kCommands{
 /// The command that the first word names, alone: to add the flags of all takes longer than most of them run. All
 /// commands if it names none, but for --version, which needs none.
 std::vector<Command> commands_for(Parser& app, const Invocation& invocation) {
-  const std::string_view first = invocation.words.empty() ? "" : invocation.words.front();
-  const auto named = std::ranges::find(kCommands, first, &NamedCommand::name);
+  const std::string first = invocation.words.empty() ? std::string() : invocation.words.front();
+  const auto named = std::ranges::find(kCommands, std::string_view(first), &NamedCommand::name);
   if (named != kCommands.end()) return {named->add(app)};
   if (first == "--version") return {};
   std::vector<Command> commands;
+  commands.reserve(kCommands.size());
   for (const NamedCommand& command : kCommands) commands.push_back(command.add(app));
   for (Command& command : add_developer_commands(app, invocation)) {
     commands.push_back(std::move(command));

@@ -190,19 +190,20 @@ void PlanRun::run_to_the_end(SearchRun& run) {
 void PlanRun::take(Expected<PlanAnswer, RequestFailure> answer, const SearchRun& run) {
   for (const std::string& note : run.notes()) complain(note);
   if (answer) {
-    result_.notes = std::move(answer->notes);
-    result_.plan = std::move(answer->plan);
-    result_.times.search = answer->search_seconds;
-    result_.lead_out = std::move(answer->lead_out);
-    result_.remaining = answer->remaining;
-    if (answer->fault) return take_fault(*answer->fault, answer->refined.has_value());
-    if (answer->refined) {
+    PlanAnswer& done = *answer;
+    result_.notes = std::move(done.notes);
+    result_.plan = std::move(done.plan);
+    result_.times.search = done.search_seconds;
+    result_.lead_out = std::move(done.lead_out);
+    result_.remaining = done.remaining;
+    if (done.fault) return take_fault(*done.fault, done.refined.has_value());
+    if (done.refined) {
       request_.refinement.adjacency = moves_.adjacency();
       result_.refined = refined_path(result_.plan.path, request_.refinement,
-                                     *std::move(answer->refined), space_, request_.corner_rounding);
+                                     *std::move(done.refined), space_, request_.corner_rounding);
     }
-    if (!answer->trajectory) return;
-    result_.trajectory = arguments_.trajectory.sampled(*std::move(answer->trajectory));
+    if (!done.trajectory) return;
+    result_.trajectory = arguments_.trajectory.sampled(*std::move(done.trajectory));
     return;
   }
   result_.notes = run.notes();
@@ -226,6 +227,12 @@ void PlanRun::take_fault(const Error& fault, bool refined) {
 
 /// Is the search looked at before it is over?
 bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.open_list; }
+
+/// Of a search that is recorded.
+const SearchRecorder& PlanRun::recorder() const {
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only what asks records() or searched() calls it
+  return *recorder_;
+}
 
 /// Has it told anything?
 bool PlanRun::searched() const { return recorder_ && !recorder_->expansions().empty(); }
@@ -277,7 +284,7 @@ void PlanRun::make_layers(const Planner& planner, const Limits& limits) {
     switch (source_of(kind)) {
       case LayerSource::search:
         if (!searched()) break;
-        layers_.push_back(chosen.counted(search_layer(kind, planner, *recorder_)));
+        layers_.push_back(chosen.counted(search_layer(kind, planner, recorder())));
         break;
       case LayerSource::cost_to_go:
         if (field) layers_.push_back(cost_to_go_layer(kind, space_, *field->costs));
@@ -313,18 +320,18 @@ Scene PlanRun::outcome() const {
   if (!crosses && !result_.plan.path.empty()) {
     scene.path = result_.plan.path;
   } else if (searched()) {
-    scene.marked = {{CellRole::expanded, recorder_->snapshot().expanded}};
+    scene.marked = {{CellRole::expanded, recorder().snapshot().expanded}};
   }
   return scene;
 }
 
 std::string PlanRun::step_text(const SteppedSearch& search, const SearchRun& run) const {
-  const SearchSnapshot snapshot = recorder_->snapshot();
+  const SearchSnapshot snapshot = recorder().snapshot();
   std::vector<Layer> layers;
   for (const LayerKind kind : arguments_.layers.kinds()) {
     if (source_of(kind) == LayerSource::search) {
       layers.push_back(arguments_.layers.as_numbers(
-          arguments_.layers.counted(search_layer(kind, run.planner(), *recorder_))));
+          arguments_.layers.counted(search_layer(kind, run.planner(), recorder()))));
     }
   }
   const OpenList open = run.open_list(kMostOpenEntries);
@@ -412,7 +419,7 @@ std::vector<Panel> PlanRun::panels() const {
 Expected<std::string, Error> PlanRun::film() const {
   const Style style = style_of(arguments_.pictures.style);
   if (!searched()) return gif_of(panels().front().title, panels().front().scene, style);
-  const FilmedSearch search{spec_.name, outcome(), &*recorder_};
+  const FilmedSearch search{spec_.name, outcome(), &recorder()};
   return gif_of(std::span(&search, 1), arguments_.watch.speed, style);
 }
 
@@ -447,7 +454,7 @@ void PlanRun::write_plot() const {
 
 void PlanRun::print_results() {
   if (arguments_.watch.animate && searched()) {
-    play(outcome(), *recorder_, screen_, arguments_.pictures, arguments_.watch.speed);
+    play(outcome(), recorder(), screen_, arguments_.pictures, arguments_.watch.speed);
     outcome_is_shown_ = true;
   }
   switch (arguments_.format) {

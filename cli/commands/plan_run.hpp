@@ -85,6 +85,7 @@ class PlanRun {
 
   bool records() const;
   bool steps() const;
+  const SearchRecorder& recorder() const;
   bool searched() const;
   Scene scene() const;
   Scene outcome() const;

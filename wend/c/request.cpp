@@ -39,8 +39,6 @@ wend_request request_defaults() {
   return request;
 }
 
-const wend_request kRequestDefaults = request_defaults();
-
 /// Where the structure has a field of the list.
 struct Member {
   std::string_view name;
@@ -82,7 +80,7 @@ double value_of(const wend_request& request, std::size_t field) {
   return std::visit(
       [&](auto place) {
         using Value = std::remove_reference_t<decltype(request.*place)>;
-        const double value = static_cast<double>(request.*place);
+        const auto value = static_cast<double>(request.*place);
         return std::is_same_v<Value, const std::int32_t> && value != 0 ? 1 : value;
       },
       member->place);
@@ -155,7 +153,7 @@ const RequestField* field_at(std::size_t index) {
 
 Expected<PlanRequest, Failure> request_of(const wend_request* given, double resolution) {
   if (given == nullptr) return refused("request is null");
-  const auto request = options_of("wend_request", given, kRequestDefaults);
+  const auto request = options_of("wend_request", given, request_defaults());
   if (!request) return Unexpected<Failure>(request.error());
   auto goals = goals_of(*request);
   if (!goals) return Unexpected<Failure>(std::move(goals.error()));
@@ -174,7 +172,7 @@ Expected<PlanRequest, Failure> request_of(const wend_request* given, double reso
 using namespace wend::c;
 
 wend_status wend_request_init(wend_request* request, size_t struct_size) {
-  return init(request, struct_size, kRequestDefaults);
+  return init(request, struct_size, request_defaults());
 }
 
 wend_status wend_request_set(wend_request* request, const char* name, double value,
@@ -182,7 +180,7 @@ wend_status wend_request_set(wend_request* request, const char* name, double val
   return guarded(error, [&]() -> Done {
     if (request == nullptr) return refused("request is null");
     if (name == nullptr) return refused("name is null");
-    if (const auto sized = options_of("wend_request", request, kRequestDefaults); !sized) {
+    if (const auto sized = options_of("wend_request", request, request_defaults()); !sized) {
       return wend::Unexpected<Failure>(sized.error());
     }
     const wend::RequestField* const field = wend::request_field(name);

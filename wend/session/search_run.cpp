@@ -239,11 +239,12 @@ Expected<PlanAnswer, RequestFailure> SearchRun::State::finish() {
     errand = {request().planner, eased.query().goals, parts.space.map().frame()};
     rest_of = take_rest(errand);
   }
-  if (outcome != Status::found) {
-    std::string reason = request().explain ? why(*outcome, plan.metrics)
-                                           : parts.planner->reason(eased.query(), *outcome);
+  const Status status = outcome.value_or(Status::cancelled);  // run() has set it
+  if (status != Status::found) {
+    std::string reason = request().explain ? why(status, plan.metrics)
+                                           : parts.planner->reason(eased.query(), status);
     return Unexpected<RequestFailure>(
-        {PlanFailure{{*outcome, std::move(reason)}, plan.metrics}, seconds});
+        {PlanFailure{{status, std::move(reason)}, plan.metrics}, seconds});
   }
   const Path over_centres = parts.kept ? plan.path : Path();
   PlanAnswer done = answer(eased, std::move(plan));
@@ -258,7 +259,8 @@ std::optional<AnsweredPath> SearchRun::State::take_rest(const Errand& errand) {
   if (!rest) return std::nullopt;
   const bool same = outcome == Status::found && plan.path == rest->plan.path;
   if (!same) {
-    if (!is_kept(rest->plan, *outcome, plan, request().keep)) return std::nullopt;
+    if (!is_kept(rest->plan, outcome.value_or(Status::cancelled), plan, request().keep))
+      return std::nullopt;
     rest->plan.metrics = plan.metrics;
     plan = std::move(rest->plan);
     outcome = Status::found;
@@ -286,15 +288,16 @@ void SearchRun::State::remember(Errand errand, std::optional<AnsweredPath> rest_
 Status SearchRun::State::look_up() {
   const Query& query = eased.query();
   const auto to_goals = parts.field->get(parts.space, parts.version, goal_cells(parts.space, query),
-                                         *moves, query.limits);
+                                         moves.value_or(GridMoves{}), query.limits);
   if (!to_goals) {
     plan.metrics = to_goals.error().metrics;
     return to_goals.error().status;
   }
   auto found = to_goals->costs->path_from(ends().start.cell);
+  const Status status = found ? Status::found : found.error().status;
   if (found) plan = *std::move(found);
   plan.metrics = to_goals->metrics;
-  return found ? Status::found : found.error().status;
+  return status;
 }
 
 SearchRun::SearchRun(std::unique_ptr<State> state) : state_(std::move(state)) {}
