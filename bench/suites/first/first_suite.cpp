@@ -67,8 +67,8 @@ bool go(const std::filesystem::path& file, const Arguments& arguments, const Sce
   parts.make = seconds_of(
       clock, [&] { planner = value_or_refuse(make_planner(arguments.planner, *space)); });
   parts.query = seconds_of(clock, [&] { status = planner->plan(asked, plan); });
-  row.width = space->width();
-  row.height = space->height();
+  row.width = planner->free_space().width();
+  row.height = planner->free_space().height();
   least = {std::min(least.load, parts.load), std::min(least.space, parts.space),
            std::min(least.make, parts.make), std::min(least.query, parts.query)};
   return status == Status::found;
@@ -119,6 +119,7 @@ int run(const Arguments& arguments) {
   const auto scenarios = value_or_refuse(scenarios_in(arguments.folder));
   stay_on_one_core();
   std::vector<Row> rows;
+  rows.reserve(scenarios.size());
   for (const std::filesystem::path& scenario : scenarios) {
     rows.push_back(row_of(scenario, arguments));
   }

@@ -57,9 +57,9 @@ std::vector<Setting> settings(const std::filesystem::path& data) {
   const FreeSpaceOptions disc{.footprint = Footprint::disc(0.2)};
   const FreeSpaceOptions inflated{.footprint = Footprint::disc(0.2), .clearance_distance = 0.35};
   std::vector<Setting> all;
-  const auto load = [&](const char* name, FreeSpaceOptions robot, double range) {
+  const auto load = [&](const char* name, const FreeSpaceOptions& robot, double range) {
     for (NamedMap& loaded : loaded_maps({data / name})) {
-      all.push_back({loaded.name, std::move(loaded.map), std::move(robot), range});
+      all.push_back({loaded.name, std::move(loaded.map), robot, range});
     }
   };
   for (const char* name : {"arena2", "den520d", "orz700d", "Berlin_0_1024", "AcrosstheCape"}) {

@@ -192,6 +192,7 @@ bool measure(const NamedMap& named, const std::vector<PlannerSpec>& planners,
     const auto queries = random_pose_queries(space, arguments.queries, arguments.seed);
     if (queries.empty()) continue;
     std::vector<Se2Run> runs;
+    runs.reserve(planners.size());
     for (const PlannerSpec& spec : planners) {
       runs.push_back(value_or_refuse(se2_run(space, spec, queries, arguments.settings)));
     }
