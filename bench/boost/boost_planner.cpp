@@ -53,8 +53,8 @@ class BoostPlanner final : public Planner {
     return status;
   }
 
-  std::string do_reason(const Query& query, Status status) const override {
-    return reason_in_cells(free_space(), query, status);
+  std::vector<FailureCause> do_failure(const Query& query, Status status) const override {
+    return causes_in_cells(free_space(), query, status);
   }
 
   std::unique_ptr<Planner> do_clone() const override {

@@ -132,7 +132,8 @@ std::vector<RecordedDrive> record(const Setting& setting, ReplanWhen when, std::
       drive.moments.push_back({std::move(learned), start});
       learned = {};
     }
-    if (*end != Status::found) fail("a robot did not reach its goal: " + explorer->reason());
+    if (*end != Status::found)
+      fail("a robot did not reach its goal: " + explorer->failure().message);
     drives.push_back(std::move(drive));
   }
   return drives;

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "wend/planner/failure_causes.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/rest_of_path.hpp"
 #include "wend/space/grid/grid_path.hpp"
@@ -106,8 +107,8 @@ Status CellPlanner::do_plan(const Query& query, Plan& out) {
   return Status::found;
 }
 
-std::string CellPlanner::do_reason(const Query& query, Status status) const {
-  return reason_in_cells(free_space(), query, status);
+std::vector<FailureCause> CellPlanner::do_failure(const Query& query, Status status) const {
+  return causes_in_cells(free_space(), query, status);
 }
 
 std::optional<Plan> CellPlanner::do_rest_of(const Path& path, const Query& query,

@@ -14,6 +14,7 @@
 #include "wend/base/random.hpp"
 #include "wend/planner/goal_cells.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/failure_text.hpp"
 
 namespace wend {
 namespace {
@@ -183,12 +184,14 @@ TEST(GoalTolerance, IsNamedWhereItIsTooSmall) {
   ASSERT_TRUE(planner);
   const auto why = [&](Point point, double tolerance) {
     const auto plan = (*planner)->plan({pose_at({0, 0}), {Goal(point, tolerance)}});
-    return plan ? std::string()
-                : std::string(to_string(plan.error().status)) + ": " + plan.error().message;
+    return plan
+               ? std::string()
+               : std::string(to_string(plan.error().status)) + ": " + words_of(plan.error(), space);
   };
-  EXPECT_THAT(why({2.5, 0.5}, 0.5),
-              HasSubstr("goal_blocked: the goal, cell (2,0), is an obstacle. The robot "
-                        "fits nowhere within its tolerance of 0.5 cells"));
+  EXPECT_THAT(
+      why({2.5, 0.5}, 0.5),
+      HasSubstr("goal_blocked: the goal (2,0) is blocked: the cell is an obstacle. The robot "
+                "fits nowhere within its tolerance of 0.5 cells"));
   EXPECT_THAT(why({3.5, 0.5}, 1),
               HasSubstr("No place within its tolerance of 1 cell can be reached"));
   EXPECT_THAT(why({9.5, 0.5}, 2), HasSubstr("goal_outside: "));

@@ -81,8 +81,7 @@ EasedQuery::EasedQuery(Query query, Planner& planner, const Explainer& explainer
 
 /// "the start (3,4) is blocked: the cell is an obstacle"
 std::string EasedQuery::why_blocked(const Query& query) const {
-  if (!planner_.grid_moves()) return planner_.reason(query, Status::start_blocked);
-  return explainer_.blocked(units_.place("start", query.start.point()));
+  return explainer_.words(planner_.failure(query, Status::start_blocked));
 }
 
 void EasedQuery::lead_start_out() {

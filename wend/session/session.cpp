@@ -345,7 +345,7 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
     std::string why = request.explain
                           ? explainer.explain(planner, eased.query(), ends_of(eased.query(), units),
                                               status, metrics)
-                          : planner.reason(eased.query(), status);
+                          : explainer.words(planner.failure(eased.query(), status), metrics);
     return no_plan(PlanFailure{{status, std::move(why)}, metrics}, answer.search_seconds);
   }
   const Path over_centres = asked != nullptr ? answer.plan.path : Path();
