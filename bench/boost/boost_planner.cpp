@@ -53,10 +53,6 @@ class BoostPlanner final : public Planner {
     return status;
   }
 
-  std::string do_reason(const Query& query, Status status) const override {
-    return reason_in_cells(free_space(), query, status);
-  }
-
   std::unique_ptr<Planner> do_clone() const override {
     return std::make_unique<BoostPlanner>(free_space());
   }

@@ -17,6 +17,7 @@
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
+#include "wend/planner/failure.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 
@@ -33,6 +34,7 @@ struct ComparisonRow {
   std::string planner;  // as it was typed: "astar:weight=2"
   Status status = Status::found;
   std::string reason = {};          // of a failure, for people
+  Failure failure = {};             // the same as data; empty if there is no planner
   double cost = 0;                  // as in Plan::cost; for a car, its fuel
   double length = 0;                // cells
   double turning = 0;               // degrees, all turns together

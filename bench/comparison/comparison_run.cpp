@@ -11,6 +11,7 @@
 #include "wend/planner/planners.hpp"
 #include "wend/session/eased_query.hpp"
 #include "wend/session/explainer.hpp"
+#include "wend/session/failure_text.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
 
 namespace wend {
@@ -90,7 +91,8 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
   row.generated = plan_.metrics.generated;
   row.max_frontier = plan_.metrics.max_frontier;
   if (!row.found()) {
-    if (comparison_.capabilities.headings) row.reason = timed.planner()->reason(query, row.status);
+    row.failure = timed.planner()->failure(query, row.status);
+    row.reason = words_of(row.failure, plan_.metrics, space_);
     return row;
   }
   describe(plan_.path, space_, row);

@@ -171,7 +171,7 @@ void answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArgum
   }
 }
 
-/// Says why planners found nothing, as `wend plan` does; cars already have reasons, except for limits.
+/// Says why planners found nothing, as `wend plan` does.
 void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const FreeSpace& space) {
   const Coordinates coordinates = arguments.map.coordinates(space.map());
   Limits limits;
@@ -182,7 +182,6 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
     for (const Goal& goal : query.goals) {
       ends.goals.push_back(coordinates.place("goal", cell_at(goal.point)));
     }
-    const Query asked{query.start, query.goals, limits};
     for (std::size_t i = 0; i < query.rows.size(); ++i) {
       ComparisonRow& row = query.rows[i];
       const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
@@ -190,8 +189,9 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
       explainer.allow(arguments.leeway.leeway(coordinates));
       if (is_limit(row.status)) {
         row.reason = explainer.stopped(row.status, limits, metrics);
-      } else if (!row.found() && row.reason.empty()) {
-        row.reason = explainer.explain(asked, ends, row.status, metrics);
+      } else if (!row.failure.causes.empty()) {
+        row.reason = row.failure.headings ? explainer.words(row.failure, metrics)
+                                          : explainer.explain(row.failure, ends, metrics);
       }
     }
   }

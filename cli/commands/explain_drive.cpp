@@ -81,7 +81,7 @@ std::string DriveAnswer::text() const {
   std::string text = headline();
   text += picture(scene(), detect_screen(), question_.pictures);
   if (!drive_exists()) {
-    text += explanation_line("reason", why_.reason + (coordinates_.metric() ? " (in cells)" : ""));
+    text += explanation_line("reason", explainer_.words(why_.failure));
   }
   text += explanation_line("widest path", narrowest());
   if (drive_exists()) return text;

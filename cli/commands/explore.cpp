@@ -16,6 +16,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/output/explanations.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
 #include "cli/output/terminal.hpp"
@@ -24,6 +25,7 @@
 #include "wend/explore/explorer.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/report/exploration_report.hpp"
+#include "wend/session/failure_text.hpp"
 
 namespace wend::cli {
 namespace {
@@ -132,7 +134,8 @@ void ExploreRun::drive(const PlannerSpec& planner, const std::string& name) {
     if (filmed) film_.take(*explorer);
   }
   if (first) scene_ = std::make_unique<Scene>(scene_now(*explorer));
-  report_.rows.push_back({name, end.value_or(Status::cancelled), explorer->reason(),
+  report_.rows.push_back({name, end.value_or(Status::cancelled),
+                          words_of(explorer->failure(), explorer->believed(), command_line_hints()),
                           explorer->driven(), explorer->driven_cost(), explorer->totals()});
 }
 

@@ -167,11 +167,12 @@ std::optional<Path> FollowRun::plan() {
   }
   const std::string margin =
       coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells());
-  const FailedPlan failed{std::string(to_string(status)),
-                          fmt::format("{} (these radii include the planning margin of {})",
-                                      explainer.explain(**planner, query, eased.ends(request.texts),
-                                                        status, plan.metrics),
-                                      margin)};
+  const FailedPlan failed{
+      std::string(to_string(status)),
+      fmt::format("{} (these radii include the planning margin of {})",
+                  explainer.explain(**planner, query, eased.ends(request.texts),
+                                    (*planner)->failure(query, status), plan.metrics),
+                  margin)};
   complain(failed.reason);
   write_failure(failed,
                 failure_scene(planner_, planning_space_, asked, status, moves, coordinates_));

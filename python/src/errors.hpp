@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "wend/base/error.hpp"
-#include "wend/planner/plan.hpp"
+#include "wend/planner/failure.hpp"
 
 namespace wend::python {
 

@@ -17,6 +17,7 @@
 #include "python/src/space.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/explore/explorer.hpp"
+#include "wend/session/failure_text.hpp"
 
 namespace nb = nanobind;
 
@@ -46,7 +47,7 @@ nb::dict result_of(const Explorer& explorer, Status status) {
   const ExplorationTotals& totals = explorer.totals();
   nb::dict result;
   result["status"] = std::string(to_string(status));
-  result["reason"] = explorer.reason();
+  result["reason"] = words_of(explorer.failure(), explorer.believed(), hints());
   result["cells"] = owned_array<std::int32_t, 2>(std::move(cells), {explorer.driven().size(), 2});
   result["cost"] = explorer.driven_cost();
   result["plans"] = totals.replans;

@@ -236,8 +236,10 @@ class Solutions {
     interrupts_.throw_if_interrupted();
     over_ = outcome.has_value();
     if (outcome && *outcome != Status::found) {
-      throw Failed(
-          PlanFailure{{*outcome, planner_->reason(eased_->query(), *outcome)}, plan_.metrics});
+      throw Failed(PlanFailure{
+          {*outcome,
+           explainer_->words(planner_->failure(eased_->query(), *outcome), plan_.metrics)},
+          plan_.metrics});
     }
     if (!told_) return std::nullopt;
     return answer();

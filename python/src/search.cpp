@@ -144,7 +144,9 @@ nb::object search(nb::handle world, nb::handle robot_pose, nb::handle goal_pose,
   }
   interrupts.throw_if_interrupted();
   if (means_no_path(status)) return nb::none();
-  if (status != Status::found) throw_failure(status, made->reason(query, status), "");
+  if (status != Status::found) {
+    throw_failure(status, explainer.words(made->failure(query, status), plan.metrics), "");
+  }
   return tuples_of(plan.path.cells(), row_first);
 }
 

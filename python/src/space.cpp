@@ -168,9 +168,12 @@ nb::tuple explained(const Space& space, nb::handle start, nb::handle goal,
                           : why.goal_component == 0 ? Status::goal_blocked
                           : why.path_exists()       ? Status::found
                                                     : Status::unreachable;
-    const Ends ends{units.place("start", frame.to_grid(from)),
-                    {units.place("goal", frame.to_grid(to))}};
-    text = status == Status::found ? "there is a path" : explainer.explain(status, ends, {}, {});
+    const Point start_point = frame.to_grid(from);
+    const Point goal_point = frame.to_grid(to);
+    const Query query{{start_point.x, start_point.y}, {Goal(goal_point)}};
+    text = status == Status::found ? "there is a path"
+                                   : explainer.explain(failure_in_cells(free, query, status),
+                                                       ends_of(query, units), {});
   }
   interrupts.throw_if_interrupted();
   nb::list ways;

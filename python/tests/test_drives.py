@@ -90,7 +90,7 @@ def test_says_what_is_wrong() -> None:
         space.plan((0.5, 1.6, math.nan), (4, 1.6, 0), "hybrid_astar")
     walled = STREET.copy()
     walled[:, 35] = 1
-    with pytest.raises(wend.NoPath, match="obstacles part them") as parted:
+    with pytest.raises(wend.NoPath, match="obstacles separate the two") as parted:
         wend.Map(walled, resolution=CELL).free_space(CAR).plan((0.5, 1.6, 0), (5, 1.6, 0), "hybrid_astar", **OPTIONS)
     assert parted.value.metrics.expanded == 0
 

@@ -224,13 +224,13 @@ TEST_F(BadCarInput, FailsWithWhereAndWhy) {
        "3,3",
        {},
        "start_blocked",
-       "the start (1,3,E) is impassable: cell (0,3) next to it is an obstacle"},
-      {"0,0,E", "4,0,any", {}, "goal_blocked", "(4,0,any) is impassable: cell (4,0)"},
+       "the start (1,3,E) is blocked: cell (0,3) next to it is an obstacle"},
+      {"0,0,E", "4,0,any", {}, "goal_blocked", "(4,0,any) is blocked: cell (4,0)"},
       {"2,2,E",
        "0,0",
        {"--robot-radius", "1.5"},
        "start_blocked",
-       "the start (2,2,E) is impassable: the nearest obstacle is 1"},
+       "the start (2,2,E) is blocked: the nearest obstacle is 1"},
       {"0,5,E", "3,3", {}, "unreachable", "no motion primitive leaves the start (0,5,E)"},
       {"3,3,E", "0,5", {}, "unreachable", "no motion primitive reaches the goal (0,5,any)"},
       {"3,3,E", "6,0,N", {"--limit-expansions", "2"}, "expansion_limit", "after 2 expansions"},
@@ -369,10 +369,10 @@ TEST_F(CarOnARosMap, TalksInMetres) {
               HasSubstr("Start (1.5,2.5,E) m"));
   folder_.write("map.pgm", "P2\n2 2\n255\n254 0 254 254\n");
   EXPECT_THAT(plan("1,2,E", "1.5,2.5,any").err,
-              StartsWith("wend: the goal (1.5,2.5,any) m is impassable"));
+              StartsWith("wend: the goal (1.5,2.5,any) m is blocked"));
   EXPECT_THAT(plan("0,0,E", "1,1,any", {"--cells"}).err,
               AllOf(HasSubstr("from (0,0,E) to (1,1,any): "),
-                    HasSubstr("the goal (1.5,2.5,any) m is impassable")));
+                    HasSubstr("the goal (1.5,2.5,any) m is blocked")));
 }
 
 TEST_F(CarCommand, WritesFilesByTheirNames) {

@@ -166,7 +166,7 @@ TEST(LatticeConformance, IsOptimalOnRandomMaps) {
           EXPECT_TRUE(std::isinf(most) || status == Status::start_blocked ||
                       status == Status::goal_blocked)
               << to_string(status) << ", there is a path of cost " << most;
-          EXPECT_FALSE((*planner)->reason(trial.query, status).empty());
+          EXPECT_FALSE((*planner)->failure(trial.query, status).causes.empty());
         }
       }
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/snippets/snippets.hpp"
+#include "tests/testing/drawn_map.hpp"
 #include "wend/base/metric.hpp"
 #include "wend/explore/explorer.hpp"
 #include "wend/io/map/load_map.hpp"
@@ -106,17 +107,46 @@ TEST(Snippets, OfExplanations) {
   const wend::Units units(space.map());
   report("the door is " + units.length(2 * clearance) + " wide, at " + units.text(door));
   EXPECT_EQ(reported, "the door is 2.5 cells wide, at cell (2,2)");
+  const auto made = wend::make_planner("astar", space);
+  const wend::Planner& planner = **made;
   const wend::Place start = units.place("start", wend::Cell{1, 1});
   const wend::Place goal = units.place("goal", wend::Cell{-5, 1});
+  const wend::Ends ends{start, {goal}};
   const auto query = wend::Query::between(start.cell, goal.cell);
   const wend::SearchMetrics metrics;
   const auto status = wend::Status::goal_outside;
   reported.clear();
   {
     const wend::Explainer explainer(space, wend::Units(space.map()), {}, {});
-    report(explainer.explain(status, {start, {goal}}, query.limits, metrics));
+    report(explainer.explain(planner, query, ends, planner.failure(query, status), metrics));
   }
   EXPECT_TRUE(reported.starts_with("the goal (-5,1) is outside the map")) << reported;
+}
+
+TEST(Snippets, OfFailures) {
+  const wend::FreeSpace space = *wend::make_free_space(wend::test::drawn_map("....\n...#\n...."));
+  const auto planner = std::move(wend::make_planner("astar", space).value());
+  const auto query = wend::Query::between({0, 0}, {3, 1});
+  std::optional<wend::Cell> looked_at;
+  const auto look_at = [&](std::optional<wend::Cell> cell) { looked_at = cell; };
+  reported.clear();
+  {
+    const auto plan = planner->plan(query);
+    if (!plan) {
+      for (const wend::FailureCause& cause : plan.error().failure.causes) {
+        if (const auto* blocked = std::get_if<wend::EndBlocked>(&cause)) look_at(blocked->cell);
+      }
+      report(wend::words_of(plan.error(), space));
+    }
+  }
+  EXPECT_EQ(looked_at, (wend::Cell{3, 1}));
+  EXPECT_EQ(reported, "the goal (3,1) is blocked: the cell is an obstacle");
+  reported.clear();
+  [&] {
+    const auto plan = planner->plan(query);
+    if (!plan) return report(wend::words_of(plan.error(), space));
+  }();
+  EXPECT_FALSE(reported.empty());
 }
 
 TEST(Snippets, OfShiftText) {

@@ -22,6 +22,7 @@
 #include "wend/base/limits.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/map/grid.hpp"
+#include "wend/planner/failure.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"

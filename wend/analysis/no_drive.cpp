@@ -54,8 +54,7 @@ class DriveTrials {
     asked.limits = asked_limits_;
     why.status = plan(**planner, asked);
     if (why.status == Status::found) return why;
-    why.reason = (*planner)->reason(asked, why.status);
-    if (why.reason.empty()) why.reason = describe(why.status);
+    why.failure = (*planner)->failure(asked, why.status);
     why.certain = !is_limit_of_search(why.status) && expanded_ == 0;
     return why;
   }

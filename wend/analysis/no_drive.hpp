@@ -12,12 +12,12 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "wend/analysis/widest_path.hpp"
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/status.hpp"
+#include "wend/planner/failure.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/se2/hybrid_astar_options.hpp"
 #include "wend/robot/free_space.hpp"
@@ -27,7 +27,7 @@ namespace wend {
 struct NoDrive {
   Status status = Status::found;  // of the query as it is asked; found: there is a drive after all
   bool certain = false;           // no drive exists: an end is blocked, or obstacles part them
-  std::string reason;             // the same in words, in cells; empty if there is a drive
+  Failure failure = {};           // what is so, if there is no drive; Explainer::words() says it
 
   /// The widest way of a disc from the start to the first goal, through the middles of cells, and its narrowest place.
   /// If its radius is less than that of the robot's inscribed disc by more than half the diagonal of a cell, no drive

@@ -113,7 +113,10 @@ TEST(ExplainNoDrive, KnowsThatTurningDoesNotHelpSidewaysInAPocket) {
   const NoDrive why = explained(pocket, query, car);
   EXPECT_EQ(why.status, Status::unreachable);
   // A robot that slides sideways could leave: nothing proves that no drive exists.
-  EXPECT_NE(why.reason.find("was found at this resolution"), std::string::npos) << why.reason;
+  ASSERT_EQ(why.failure.causes.size(), 1U);
+  const auto* const found = std::get_if<NoDriveFound>(&why.failure.causes.front());
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->why, NoDriveFound::Why::none_found);
   EXPECT_FALSE(why.certain);
   ASSERT_TRUE(why.footprint_scale);
   EXPECT_LT(*why.footprint_scale, 1);

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "wend/base/error.hpp"
-#include "wend/planner/plan.hpp"
+#include "wend/planner/failure.hpp"
 #include "wend/search/search_outcome.hpp"
 #include "wend/wend.h"
 

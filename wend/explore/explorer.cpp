@@ -102,7 +102,7 @@ struct Explorer::State {
   bool must_plan = true;
   ExplorationTotals totals;
   std::optional<Status> end;
-  std::string why;
+  PlanFailure why;
 };
 
 /// Puts cells on the believed map as they truly are. Is one of them blocked, free or dear otherwise than it
@@ -175,8 +175,8 @@ void Explorer::State::keep(std::vector<Cell> rest) {
 }
 
 std::optional<Status> Explorer::State::end_with(Error error) {
-  why = std::move(error.message);
-  return end = error.status;
+  why = {std::move(error), {}};
+  return end = why.status;
 }
 
 std::optional<Status> Explorer::State::plan() {
@@ -212,7 +212,10 @@ std::optional<Status> Explorer::State::plan() {
   } else {
     totals.worst_seconds = std::max(totals.worst_seconds, seconds);
   }
-  if (status != Status::found) return end_with({status, planner->reason(query, status)});
+  if (status != Status::found) {
+    why = {{status, std::string(describe(status))}, found.metrics, planner->failure(query, status)};
+    return end = status;
+  }
   keep(std::move(rest));
   at = 0;
   rest_cost = grid_path_cost(believed, found.path.cells());
@@ -251,14 +254,14 @@ Expected<Explorer, Error> Explorer::make(const GridMap& truth, Cell start, Cell 
   auto true_space = make_free_space(truth, options.robot);
   if (!true_space) return Unexpected<Error>(std::move(true_space.error()));
   if (!true_space->contains(start)) {
-    return failure(Status::start_outside, "the start is outside the map", "start");
+    return wend::failure(Status::start_outside, "the start is outside the map", "start");
   }
   if (!true_space->contains(goal)) {
-    return failure(Status::goal_outside, "the goal is outside the map", "goal");
+    return wend::failure(Status::goal_outside, "the goal is outside the map", "goal");
   }
   if (const auto blocked = true_space->why_blocked(start)) {
-    return failure(Status::start_blocked, "the start is " + std::string(describe(*blocked)),
-                   "start");
+    return wend::failure(Status::start_blocked, "the start is " + std::string(describe(*blocked)),
+                         "start");
   }
   auto belief = first_belief(truth, options.known);
   if (!belief) return Unexpected<Error>(std::move(belief.error()));
@@ -276,7 +279,7 @@ Explorer& Explorer::operator=(Explorer&&) noexcept = default;
 Explorer::~Explorer() = default;
 
 std::optional<Status> Explorer::step() { return state_->step(); }
-const std::string& Explorer::reason() const { return state_->why; }
+const PlanFailure& Explorer::failure() const { return state_->why; }
 const FreeSpace& Explorer::believed() const { return state_->believed; }
 const FreeSpace& Explorer::truth() const { return state_->truth; }
 Cell Explorer::cell() const { return state_->cell; }

@@ -84,11 +84,11 @@ class WEND_API Explorer {
   ~Explorer();
 
   /// Looks around, plans if it has to, and drives to the next cell. The end, once it is there: found at the
-  /// goal, else why the last plan failed. reason() says it in words.
+  /// goal, else why the last plan failed.
   std::optional<Status> step();
 
-  /// Why the drive has ended without reaching the goal.
-  const std::string& reason() const;
+  /// Why the drive has ended without reaching the goal; words_of() says it.
+  const PlanFailure& failure() const;
 
   /// The map as the robot believes it to be, for this robot. Unknown cells are free.
   const FreeSpace& believed() const;

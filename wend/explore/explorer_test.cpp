@@ -64,7 +64,8 @@ TEST(Explorer, ReachesWhatCanBeReached) {
     std::optional<Status> end;
     while (!end) end = explorer->step();
     const bool reachable = truth.components().connected(start, goal, Adjacency::edges);
-    ASSERT_EQ(*end == Status::found, reachable) << to_string(*end) << ": " << explorer->reason();
+    ASSERT_EQ(*end == Status::found, reachable)
+        << to_string(*end) << ": " << explorer->failure().message;
     ASSERT_TRUE(check_grid_path(truth, {}, explorer->driven()));
     ASSERT_EQ(explorer->driven().front(), start);
     (reachable ? arrived : failed) += 1;

@@ -106,10 +106,6 @@ Status CellPlanner::do_plan(const Query& query, Plan& out) {
   return Status::found;
 }
 
-std::string CellPlanner::do_reason(const Query& query, Status status) const {
-  return reason_in_cells(free_space(), query, status);
-}
-
 std::optional<Plan> CellPlanner::do_rest_of(const Path& path, const Query& query,
                                             std::size_t& passed) const {
   return rest_of_steps(free_space(), moves_, path.cells(), query, passed);

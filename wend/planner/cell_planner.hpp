@@ -22,7 +22,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
@@ -108,7 +107,6 @@ class WEND_API CellPlanner : public Planner {
 
   std::optional<Status> do_check(const Query& query) final;
   Status do_plan(const Query& query, Plan& out) final;
-  std::string do_reason(const Query& query, Status status) const final;
   std::optional<GridMoves> do_grid_moves() const final { return moves_; }
   std::optional<Plan> do_rest_of(const Path& path, const Query& query,
                                  std::size_t& passed) const final;

@@ -66,7 +66,13 @@ TEST(CellPlanner, ChecksBothEndsAndSaysWhatIsThere) {
   EXPECT_EQ(status_text(planner, Query::between({0, 0}, {3, 0})), "unreachable");
   const auto failed = planner.plan(Query::between({0, 0}, {2, 0}));
   ASSERT_FALSE(failed);
-  EXPECT_EQ(failed.error().message, "the goal, cell (2,0), is an obstacle");
+  EXPECT_EQ(failed.error().message, describe(Status::goal_blocked));
+  ASSERT_EQ(failed.error().failure.causes.size(), 1U);
+  const auto* const blocked = std::get_if<EndBlocked>(&failed.error().failure.causes.front());
+  ASSERT_NE(blocked, nullptr);
+  EXPECT_EQ(blocked->end, EndIndex(0));
+  EXPECT_EQ(blocked->cell, (Cell{2, 0}));
+  EXPECT_EQ(blocked->reason, BlockReason::obstacle);
 }
 
 TEST(CellPlanner, EndsTheSearchAtItsLimits) {

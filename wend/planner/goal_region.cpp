@@ -54,18 +54,4 @@ std::vector<Cell> goal_cells(const FreeSpace& space, const Query& query) {
   return cells;
 }
 
-std::string beyond_tolerance(const Query& query, Status status, const std::string& tolerance) {
-  if (query.goals.empty() || !(query.goals.front().tolerance > 0)) return {};
-  switch (status) {
-    case Status::goal_outside:
-      return ". Its tolerance of " + tolerance + " does not reach the map";
-    case Status::goal_blocked:
-      return ". The robot fits nowhere within its tolerance of " + tolerance;
-    case Status::unreachable:
-      return ". No place within its tolerance of " + tolerance + " can be reached";
-    default:
-      return {};
-  }
-}
-
 }  // namespace wend

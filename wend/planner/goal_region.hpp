@@ -13,11 +13,9 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
-#include "wend/base/status.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/place_grid.hpp"
 #include "wend/planner/plan.hpp"
@@ -156,9 +154,5 @@ void append_entrances(std::span<const GoalRegion> regions, Cell start, Open&& op
 /// The cells of all goals of a query where the robot may be, at most one of each; of a goal without any, the
 /// cell of its point, or one off the map.
 WEND_API std::vector<Cell> goal_cells(const FreeSpace& space, const Query& query);
-
-/// What a failure has to say of the first goal's tolerance, a sentence: ". The robot fits nowhere within its
-/// tolerance of 2 cells"; empty if it is not about a goal, or there is no tolerance.
-std::string beyond_tolerance(const Query& query, Status status, const std::string& tolerance);
 
 }  // namespace wend

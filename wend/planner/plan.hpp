@@ -1,7 +1,7 @@
 #pragma once
 
-// Query: start, goals, limits and observer. Plan: the path that a planner found. PlanFailure: why
-// it found no path.
+// Query: start, goals, limits and observer. Plan: the path that a planner found. (Failure, in failure.hpp: why it found
+// none.)
 
 #include <cmath>
 #include <functional>
@@ -11,9 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "wend/base/error.hpp"
 #include "wend/base/limits.hpp"
-#include "wend/base/status.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/pose.hpp"
@@ -119,11 +117,6 @@ struct Plan {
 
   /// Is it certain that no path is cheaper?
   bool optimal() const { return bound == 1; }
-};
-
-/// Why there is no path. The status is never Status::found; the message is Planner::reason().
-struct PlanFailure : Error {
-  SearchMetrics metrics;  // of the search until then
 };
 
 }  // namespace wend

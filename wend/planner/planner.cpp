@@ -1,27 +1,23 @@
 #include "wend/planner/planner.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
-#include "wend/map/place_text.hpp"
-#include "wend/planner/goal_region.hpp"
+#include "wend/planner/failure_causes.hpp"
 
 namespace wend {
-namespace {
-
-bool has_tolerances(const Goal& goal) {
-  return goal.tolerance >= 0 && goal.heading_tolerance >= 0;  // neither is NaN
-}
-
-}  // namespace
 
 Expected<Plan, PlanFailure> Planner::plan(const Query& query) {
   Plan out;
   const Status status = plan(query, out);
   if (status != Status::found) {
-    return Unexpected<PlanFailure>({{status, reason(query, status)}, out.metrics});
+    Failure why = failure(query, status);
+    const OwnText* const own =
+        why.causes.empty() ? nullptr : std::get_if<OwnText>(&why.causes.front());
+    std::string message = own != nullptr ? own->text : std::string(describe(status));
+    return Unexpected<PlanFailure>({{status, std::move(message)}, out.metrics, std::move(why)});
   }
   return out;
 }
@@ -69,20 +65,36 @@ void Planner::release() {
   free_space_.reset();
 }
 
-std::string Planner::reason(const Query& query, Status status) const {
-  if (status == Status::unsupported_query) {
-    if (query.goals.empty()) return "the query has no goal";
-    if (!std::ranges::all_of(query.goals, has_tolerances)) {
-      return "the tolerances of a goal must be at least 0";
-    }
-    if (std::isnan(query.limits.seconds)) return "the limit of seconds is NaN";
+Failure Planner::failure(const Query& query, Status status) const {
+  const auto end_of = [this](Point asked, std::optional<double> heading) {
+    QueryEnd end{asked, asked, heading};
+    const auto place = do_place_of({asked.x, asked.y, heading.value_or(0)});
+    if (!place) return end;
+    end.place = place->point();
+    if (heading) end.heading = place->heading;
+    return end;
+  };
+  Failure failure{.status = status,
+                  .headings = !do_grid_moves(),
+                  .places = do_place_grid(),
+                  .start = end_of(query.start.point(), query.start.heading)};
+  if (!query.goals.empty()) failure.tolerance = query.goals.front().tolerance;
+  for (const Goal& goal : query.goals) failure.goals.push_back(end_of(goal.point, goal.heading));
+  const auto fault = status == Status::unsupported_query ? fault_of(query) : std::nullopt;
+  if (fault) {
+    failure.causes = {*fault};
+  } else {
+    failure.causes = do_failure(query, status);
   }
-  std::string reason = do_reason(query, status);
-  if (reason.empty()) reason = describe(status);
-  if (query.goals.empty()) return reason;
-  const double tolerance = query.goals.front().tolerance;
-  return reason +
-         beyond_tolerance(query, status, distance_text(tolerance, free_space().map().frame()));
+  if (failure.causes.empty() && is_limit(status)) {
+    failure.causes = {Stopped{query.limits.expansions, query.limits.seconds}};
+  }
+  return failure;
+}
+
+std::vector<FailureCause> Planner::do_failure(const Query& query, Status status) const {
+  if (!do_grid_moves()) return {};
+  return causes_in_cells(free_space(), query, status);
 }
 
 std::optional<Pose> Planner::do_place_of(const Pose& pose) const {
@@ -103,10 +115,7 @@ void Planner::clear(Plan& out) {
 
 std::optional<Status> Planner::check(const Query& query, Plan& out) {
   clear(out);
-  if (query.goals.empty() || !std::ranges::all_of(query.goals, has_tolerances) ||
-      std::isnan(query.limits.seconds)) {
-    return Status::unsupported_query;
-  }
+  if (fault_of(query)) return Status::unsupported_query;
   return do_check(query);
 }
 

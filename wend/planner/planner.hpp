@@ -9,19 +9,19 @@
 //   auto planner = wend::make_planner("astar", space, {{"weight", "1.5"}});
 //   if (!planner) return report(planner.error().message);
 //   const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
-//   if (!plan) return report(plan.error().message);
+//   if (!plan) return report(wend::words_of(plan.error(), space));
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/status.hpp"
 #include "wend/geometry/place_grid.hpp"
+#include "wend/planner/failure.hpp"
 #include "wend/planner/leaving_motion.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
@@ -68,8 +68,9 @@ class WEND_API Planner {
   /// with some options: `car` and `lattice` with an initial_weight above 1.
   bool anytime() const { return do_anytime(); }
 
-  /// Why a query ends with this status, in words: where, and what is there.
-  std::string reason(const Query& query, Status status) const;
+  /// Why a query ends with this status: where, and what is there. About the query that was planned last where only the
+  /// search knows.
+  Failure failure(const Query& query, Status status) const;
 
   /// The heuristic of the last search, from a pose on the map, in grid coordinates, to its goals; 0
   /// for a planner without a heuristic.
@@ -149,8 +150,9 @@ class WEND_API Planner {
   virtual std::optional<Status> do_step(Plan& /*out*/) { return Status::unsupported_query; }
   virtual bool do_anytime() const { return false; }
   virtual OpenList do_open_list(std::size_t /*most*/) const { return {}; }
-  /// Where and why; empty if the status says it all.
-  virtual std::string do_reason(const Query& /*query*/, Status /*status*/) const { return {}; }
+  /// Failure::causes of a valid query; empty if the status says it all. By itself it looks at cells. A planner from
+  /// outside may return an OwnText.
+  virtual std::vector<FailureCause> do_failure(const Query& query, Status status) const;
   virtual double do_heuristic(const Pose& /*pose*/) const { return 0; }
   virtual std::uint64_t do_state_count() const { return free_space().passable().count(); }
   virtual std::optional<GridMoves> do_grid_moves() const { return GridMoves{}; }

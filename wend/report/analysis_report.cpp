@@ -5,6 +5,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/report/json.hpp"
+#include "wend/session/failure_text.hpp"
 
 namespace wend {
 namespace {
@@ -85,7 +86,7 @@ std::string no_path_json(const NoPath& why, const Frame& frame) {
 std::string no_drive_json(const NoDrive& why, const FreeSpace& space) {
   const Frame& frame = space.map().frame();
   Json json{{"status", to_string(why.status)},
-            {"reason", why.drive_exists() ? Json() : Json(why.reason)},
+            {"reason", why.drive_exists() ? Json() : Json(words_of(why.failure, {}, space))},
             {"widest", why.widest ? json_of(*why.widest, frame) : Json()},
             {"inscribed_radius_cells", space.inscribed_radius_in_cells()},
             {"footprint_scale", nullptr},

@@ -2,11 +2,14 @@
 
 namespace wend {
 
-std::optional<std::string> mask_that_blocks(const FreeSpace& space, Cell cell) {
-  if (!space.contains(cell)) return std::nullopt;
-  const MapZone* const zone = space.map().zone(cell);
+std::optional<std::string> mask_at(const FreeSpace& space, Cell cell) {
+  const MapZone* const zone = space.contains(cell) ? space.map().zone(cell) : nullptr;
   if (zone == nullptr) return std::nullopt;
-  return zone->name.empty() ? "a keep-out mask" : "the keep-out mask '" + zone->name + "'";
+  return zone->name;
+}
+
+std::string mask_text(const std::string& name) {
+  return name.empty() ? "a keep-out mask" : "the keep-out mask '" + name + "'";
 }
 
 }  // namespace wend

@@ -1,18 +1,19 @@
 #pragma once
 
-// What a blocked cell is, in words: an obstacle, or a cell that only a mask blocks.
+// The masks that block cells which are free without them.
 
 #include <optional>
 #include <string>
 
-#include "wend/base/compiler.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
 
-/// "the keep-out mask 'depot.yaml'", or "a keep-out mask" without a name, if a mask blocks a cell of the map that is
-/// free without it.
-WEND_API std::optional<std::string> mask_that_blocks(const FreeSpace& space, Cell cell);
+/// The name of the mask, if one blocks a cell of the map that is free without it; empty if the mask has none.
+std::optional<std::string> mask_at(const FreeSpace& space, Cell cell);
+
+/// "the keep-out mask 'depot.yaml'", or "a keep-out mask" without a name.
+std::string mask_text(const std::string& name);
 
 }  // namespace wend

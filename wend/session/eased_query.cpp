@@ -91,8 +91,7 @@ Ends EasedQuery::ends(const EndTexts& typed) const {
 
 /// "the start (3,4) is blocked: the cell is an obstacle"
 std::string EasedQuery::why_blocked(const Query& query) const {
-  if (!planner_.grid_moves()) return planner_.reason(query, Status::start_blocked);
-  return explainer_.blocked(units_.place("start", query.start.point()));
+  return explainer_.words(planner_.failure(query, Status::start_blocked));
 }
 
 void EasedQuery::lead_start_out() {

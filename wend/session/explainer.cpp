@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
+#include <variant>
 
 #include "wend/base/parse.hpp"
-#include "wend/geometry/arc_distance.hpp"
-#include "wend/planner/goal_region.hpp"
+#include "wend/planner/failure_causes.hpp"
 #include "wend/robot/nearest_passable.hpp"
 #include "wend/robot/sweep/sweep.hpp"
 #include "wend/robot/zone_name.hpp"
 #include "wend/session/closest_place.hpp"
+#include "wend/session/failure_wording.hpp"
 #include "wend/session/nearest_ends.hpp"
 #include "wend/session/way_out.hpp"
 
@@ -19,99 +22,72 @@ namespace {
 
 constexpr double kTypedRounding = 1e-9;  // of lengths that were typed
 
-bool is_about_a_goal(Status status) {
-  return status == Status::goal_outside || status == Status::goal_blocked ||
-         status == Status::unreachable;
-}
-
-/// " (--unknown free)"; empty for an empty hint.
-std::string in_brackets(const std::string& hint, const std::string& value = {}) {
-  if (hint.empty()) return {};
-  return " (" + hint + (value.empty() ? "" : " " + value) + ')';
-}
-
-std::string joined_texts(const std::vector<std::string>& texts, std::string_view separator) {
-  std::string all;
-  for (const std::string& text : texts) {
-    if (!all.empty()) all += separator;
-    all += text;
-  }
-  return all;
-}
-
-/// ": it is the keep-out mask 'zones.yaml'", if no obstacle is too near for the robot's disc, but a zone is.
-std::string mask_near(const FreeSpace& space, Cell cell) {
-  const Point centre = centre_of(cell);
-  std::optional<std::string> mask;
-  const auto is_obstacle = [&](Cell square) {
-    const double away = distance(centre, square);
-    if (space.far_enough(4 * away * away)) return false;
-    const auto name = mask_that_blocks(space, square);
-    if (name) mask = name;
-    return !name;
-  };
-  const Box near = Box(centre).grown_by(space.radius_in_cells());
-  if (any_obstacle(space, near, is_obstacle) || !mask) return {};
-  return ": it is " + *mask;
+/// Limits of a search for what would help.
+Limits limits_of_a_trial(const Deadline& deadline) {
+  constexpr std::uint64_t kExpansions = 20'000;
+  Limits limits = deadline.left();
+  limits.expansions = kExpansions;
+  return limits;
 }
 
 }  // namespace
 
-std::string Explainer::explain(Status status, const Ends& ends, const Limits& limits,
-                               const SearchMetrics& metrics) const {
-  if (ends.goals.size() > 1 && is_about_a_goal(status)) return explain_goals(ends);
-  const Place& goal = ends.goals.front();
-  switch (status) {
-    case Status::start_outside:
-      return outside(ends.start);
-    case Status::goal_outside:
-      return outside(goal);
-    case Status::start_blocked:
-      return blocked_end(ends.start, goal);
-    case Status::goal_blocked:
-      return blocked_end(goal, ends.start);
-    case Status::unreachable:
-      return unreachable(ends.start, goal);
-    default:
-      return stopped(status, limits, metrics);
-  }
+std::string Explainer::words(const Failure& failure, const SearchMetrics& metrics) const {
+  return FailureText(space_, units_, hints_).of(failure, ends_of(failure, units_), metrics);
 }
 
-std::string Explainer::explain(const Query& query, const Ends& ends, Status status,
+std::string Explainer::explain(const Failure& failure, const Ends& ends,
                                const SearchMetrics& metrics) const {
-  const double tolerance = query.goals.front().tolerance;
-  Ends reachable = ends;
-  if (status == Status::unreachable && tolerance > 0) {
+  const FailureText text(space_, units_, hints_);
+  if (failure.causes.size() != 1) return text.of(failure, ends, metrics);
+  const FailureCause& cause = failure.causes.front();
+  if (const auto* const separated = std::get_if<Separated>(&cause)) {
+    Place goal = ends.goals[separated->goal];
     // The point itself may be blocked. Another cell within the tolerance is not.
-    for (Place& goal : reachable.goals) {
-      const auto cell = nearest_passable(space_, goal.cell);
-      if (cell && *cell != goal.cell) goal = units_.place(goal.name, *cell);
+    if (failure.tolerance > 0 && !space_.passable(goal.cell)) {
+      if (const auto cell = nearest_passable(space_, goal.cell)) goal = units_.place("goal", *cell);
     }
+    return unreachable(ends.start, goal) + text.tolerance(failure);
   }
-  return explain(status, reachable, query.limits, metrics) +
-         beyond_tolerance(query, status, units_.length(tolerance));
+  std::string words = text.of(cause, failure, ends, metrics);
+  if (const auto* const blocked = std::get_if<EndBlocked>(&cause)) {
+    const Place& place = ends.at(blocked->end);
+    const Place& other = blocked->end ? ends.start : ends.goals.front();
+    if (!space_.passable(other.cell)) words += ". Also, " + this->blocked(other);
+    words += ". " + nearest(place, other);
+  }
+  return words + text.tolerance(failure);
 }
 
 std::string Explainer::explain(const Planner& planner, const Query& query, const Ends& ends,
-                               Status status, const SearchMetrics& metrics) const {
-  if (status == Status::index_mismatch) return planner.reason(query, status);
+                               const Failure& failure, const SearchMetrics& metrics) const {
   const std::string out =
-      (status == Status::start_blocked ? ways_out(planner, query) : std::string()) +
-      nearest_beyond_limit(planner, query, status);
-  if (planner.grid_moves()) return explain(query, ends, status, metrics) + out;
-  if (is_limit(status)) {
-    const bool of_planner = status == Status::time_limit && std::isinf(query.limits.seconds);
-    const std::string own = of_planner ? planner.reason(query, status) : std::string();
-    if (own.empty()) return stopped(status, query.limits, metrics);
-    return as_asked(ends, planner.place_grid()) + own;
+      (failure.status == Status::start_blocked ? ways_out(planner, query) : std::string()) +
+      nearest_beyond_limit(planner, query, failure.status);
+  if (failure.headings) return explain_pose(failure, planner, query, ends, metrics) + out;
+  return explain(failure, ends, metrics) + out;
+}
+
+/// Ends off the map are named as they were asked for.
+std::string Explainer::explain_pose(const Failure& failure, const Planner& planner,
+                                    const Query& query, const Ends& asked,
+                                    const SearchMetrics& metrics) const {
+  const FailureText text(space_, units_, hints_);
+  Ends ends = ends_of(failure, units_);
+  for (const FailureCause& cause : failure.causes) {
+    const auto* const outside = std::get_if<EndOutside>(&cause);
+    if (outside == nullptr) continue;
+    (outside->end ? ends.goals[*outside->end] : ends.start) = asked.at(outside->end);
   }
-  const PlaceGrid places = planner.place_grid();
-  if (status == Status::start_outside || status == Status::goal_outside) {
-    const Place& place = status == Status::start_outside ? ends.start : ends.goals.front();
-    return "the " + place.name + ' ' + place.text + " is outside the map, which covers " +
-           (places.on_corners() ? units_.extent_of_corners() : units_.extent());
+  if (failure.causes.size() != 1) return text.of(failure, ends, metrics);
+  const FailureCause& cause = failure.causes.front();
+  std::string words = text.of(cause, failure, ends, metrics);
+  if (const auto* const blocked = std::get_if<EndBlocked>(&cause)) {
+    words += nearest_place(planner, blocked->end ? query.goals[*blocked->end] : Goal(query.start),
+                           !blocked->end);
   }
-  return as_asked(ends, places) + planner.reason(query, status) + out;
+  if (failure.status == Status::unreachable) words += opened_by_unknown(planner, query);
+  return words + text.tolerance(failure);
 }
 
 /// How a robot that does not fit at the start can leave it, or why it cannot.
@@ -133,28 +109,57 @@ std::string Explainer::ways_out(const Planner& planner, const Query& query) cons
   return ". The way out is longer than the " + units_.length(allowed) + " allowed: " + lets;
 }
 
-/// What moving ends does not do because of its limit. Of blocked ends of a planner on cells the sentence about the
-/// nearest free cell says it.
+/// What moving ends does not do because of its limit. Of blocked ends the sentence about the nearest place says it.
 std::string Explainer::nearest_beyond_limit(const Planner& planner, const Query& query,
                                             Status status) const {
-  if (!leeway_ || !leeway_->nearest || deadline_.passed()) return {};
-  const auto beyond = [&](const std::string& what, Point place, double away) {
-    if (away <= most_moved() + kTypedRounding) return std::string();
-    return ". The nearest " + what + " is " + units_.text(place) + ", " + units_.length(away) +
-           " away" + too_far(away);
-  };
+  const bool asked = leeway_ && leeway_->nearest && status == Status::unreachable;
+  if (!asked || !planner.grid_moves() || deadline_.passed()) return {};
   const double anywhere = std::numeric_limits<double>::infinity();
-  if (planner.grid_moves()) {
-    const auto closest = status == Status::unreachable
-                             ? closest_cells(planner, query, anywhere, deadline_)
-                             : std::nullopt;
-    if (!closest) return {};
-    return beyond("place that a path reaches", closest->goals.front().point, closest->distance);
-  }
-  if (status != Status::start_blocked && status != Status::goal_blocked) return {};
-  const Goal end = status == Status::start_blocked ? Goal(query.start) : query.goals.front();
+  const auto closest = closest_cells(planner, query, anywhere, deadline_);
+  if (!closest || closest->distance <= most_moved() + kTypedRounding) return {};
+  return ". The nearest place that a path reaches is " + units_.text(closest->goals.front().point) +
+         ", " + units_.length(closest->distance) + " away" + too_far(closest->distance);
+}
+
+/// ": --nearest plans from that cell", or why it does not.
+std::string Explainer::planned_from(double away, bool is_start, std::string_view place) const {
+  const bool is_far = away > most_moved() + kTypedRounding;
+  if (leeway_ && leeway_->nearest && is_far) return too_far(away);
+  if (hints_.nearest.empty() || (is_far && hints_.nearest_limit.empty())) return {};
+  const std::string limit =
+      is_far ? ' ' + hints_.nearest_limit + ' ' + hint_of_length(away) : std::string();
+  return ": " + hints_.nearest + limit + " plans " + (is_start ? "from" : "to") + " that " +
+         std::string(place);
+}
+
+/// Of a planner with headings: the nearest place at which the robot fits.
+std::string Explainer::nearest_place(const Planner& planner, const Goal& end, bool is_start) const {
+  if (deadline_.passed()) return {};
   const auto free = planner.nearest_free(end);
-  return free ? beyond("free place", *free, distance(*free, end.point)) : std::string();
+  if (!free) {
+    return ". The map has no free place for this robot" +
+           std::string(end.heading ? " with that heading" : "");
+  }
+  const double away = distance(*free, end.point);
+  return ". The nearest free place is " + units_.text(*free) + ", " + units_.length(away) +
+         " away" + planned_from(away, is_start, "place");
+}
+
+/// Is there a path if unknown cells are free? Tried with the same planner.
+std::string Explainer::opened_by_unknown(const Planner& planner, const Query& query) const {
+  FreeSpaceOptions options = space_.options();
+  if (hints_.unknown_free.empty() || options.unknown == UnknownPolicy::free ||
+      space_.map().unknown().count() == 0 || deadline_.passed()) {
+    return {};
+  }
+  options.unknown = UnknownPolicy::free;
+  auto opened = make_free_space(space_.map(), std::move(options));
+  const auto trial = planner.clone();
+  if (!opened || !trial || !trial->update(*std::move(opened))) return {};
+  Query tried{query.start, query.goals, limits_of_a_trial(deadline_)};
+  Plan plan;
+  if (trial->plan(tried, plan) != Status::found) return {};
+  return ". A path exists with unknown cells free" + in_brackets(hints_.unknown_free);
 }
 
 /// A length as a front end takes it, rounded up a little.
@@ -175,69 +180,14 @@ std::string Explainer::too_far(double away) const {
          in_brackets(hints_.nearest_limit, hint_of_length(away));
 }
 
-/// Reasons of planners of poses name their places, in the units of the map. If these are not what was asked, that
-/// comes first.
-std::string Explainer::as_asked(const Ends& ends, const PlaceGrid& places) const {
-  if (units_.metric() == units_.frame().metric && places.spacing == 1) return {};
-  std::vector<std::string> goals;
-  goals.reserve(ends.goals.size());
-  for (const Place& goal : ends.goals) goals.push_back(goal.text);
-  return "from " + ends.start.text + " to " + joined_texts(goals, " or ") + ": ";
-}
-
-std::string Explainer::explain_goals(const Ends& ends) const {
-  std::vector<std::string> reasons;
-  for (const Place& goal : ends.goals) {
-    const std::string reason = blocked(goal);
-    reasons.push_back(reason.empty() ? "there is no path to the goal " + goal.text : reason);
-  }
-  return "none of " + std::to_string(ends.goals.size()) +
-         " goals can be reached: " + joined_texts(reasons, "; ");
-}
-
 std::string Explainer::outside(const Place& place) const {
-  return "the " + place.name + ' ' + place.text + " is outside the map, which covers " +
-         units_.extent();
+  return FailureText(space_, units_, hints_).outside(place, false);
 }
 
 std::string Explainer::blocked(const Place& place) const {
-  const auto reason = space_.why_blocked(place.cell);
-  if (!reason) return {};
-  if (*reason == BlockReason::outside) return outside(place);
-  return "the " + place.name + ' ' + place.text + " is blocked: " + why(place, *reason);
-}
-
-std::string Explainer::why(const Place& place, BlockReason reason) const {
-  switch (reason) {
-    case BlockReason::obstacle:
-      if (const auto mask = mask_that_blocks(space_, place.cell)) {
-        return "the cell is blocked by " + *mask;
-      }
-      return "the cell is an obstacle";
-    case BlockReason::unknown:
-      if (hints_.unknown_free.empty()) return "the cell is unknown";
-      return "the cell is unknown (" + hints_.unknown_free + " makes unknown cells free)";
-    case BlockReason::too_close:
-      return too_near(place, "the nearest obstacle");
-    case BlockReason::over_edge:
-      return "the robot would extend beyond the map: " + too_near(place, "the edge") +
-             (hints_.outside_free.empty() ? "" : " (" + hints_.outside_free + " allows it)");
-    case BlockReason::outside:
-    case BlockReason::overlaps:
-    case BlockReason::leaves:
-      break;
-  }
-  return std::string(describe(reason));
-}
-
-/// Planners on cells know no headings and take a polygon for the disc around it.
-std::string Explainer::too_near(const Place& place, std::string_view obstacle) const {
-  const std::string_view radius = space_.outline()
-                                      ? "the radius of the disc around the robot's footprint"
-                                      : "the robot's radius";
-  return std::string(obstacle) + " is " + units_.length(space_.clearance(place.cell)) + " away, " +
-         std::string(radius) + " is " + units_.length(space_.radius_in_cells()) +
-         mask_near(space_, place.cell);
+  const auto cause = why_blocked(space_, {}, place.cell);
+  if (!cause) return {};
+  return FailureText(space_, units_, hints_).of(*cause, Failure{}, Ends{place, {}}, {});
 }
 
 std::string Explainer::planned_as_disc(const Planner& planner) const {
@@ -248,12 +198,6 @@ std::string Explainer::planned_as_disc(const Planner& planner) const {
          "; hybrid_astar and lattice plan with the footprint itself";
 }
 
-std::string Explainer::blocked_end(const Place& place, const Place& other) const {
-  std::string text = blocked(place);
-  if (!space_.passable(other.cell)) text += ". Also, " + blocked(other);
-  return text + ". " + nearest(place, other);
-}
-
 std::string Explainer::nearest(const Place& place, const Place& other) const {
   const auto cell = nearest_free(space_, place.cell, other.cell, moves_.adjacency());
   if (!cell) return "The map has no free cell for this robot";
@@ -261,10 +205,7 @@ std::string Explainer::nearest(const Place& place, const Place& other) const {
   std::string text = "The nearest free cell";
   if (space_.passable(other.cell)) text += " that is connected to the " + other.name;
   text += " is " + units_.text(*cell) + ", " + units_.length(away) + " away";
-  if (leeway_ && leeway_->nearest && away > most_moved()) return text + too_far(away);
-  if (hints_.nearest.empty()) return text;
-  return text + ": " + hints_.nearest + " plans " + (place.name == "start" ? "from" : "to") +
-         " that cell";
+  return text + planned_from(away, place.name == "start", "cell");
 }
 
 std::vector<std::string> Explainer::move_to_nearest(Ends& ends) const {
@@ -293,9 +234,9 @@ std::vector<std::string> Explainer::move_to_nearest(Query& query, const Planner&
     const bool on_map = cell_under(space_, end.point).has_value();
     const Status why = is_start ? (on_map ? Status::start_blocked : Status::start_outside)
                                 : (on_map ? Status::goal_blocked : Status::goal_outside);
-    notes.push_back(planner.reason(asked, why) + "; planning " + (is_start ? "from " : "to ") +
-                    units_.text(point) + ", " + units_.length(distance(point, end.point)) +
-                    " away");
+    notes.push_back(words(planner.failure(asked, why)) + "; planning " +
+                    (is_start ? "from " : "to ") + units_.text(point) + ", " +
+                    units_.length(distance(point, end.point)) + " away");
     return point;
   };
   const Point start = moved(Goal(query.start), query, true);
@@ -362,9 +303,10 @@ std::vector<std::string> Explainer::changes(const NoDrive& why) const {
 
 std::string Explainer::explain(const NoDrive& why) const {
   if (why.drive_exists()) return "there is a drive";
+  const std::string reason = words(why.failure);
   const auto helps = changes(why);
-  if (helps.empty()) return why.reason;
-  return why.reason + ". A drive exists with " + joined_texts(helps, "; or ");
+  if (helps.empty()) return reason;
+  return reason + ". A drive exists with " + joined_texts(helps, "; or ");
 }
 
 std::string Explainer::width(const WidestPath& widest) const {
@@ -375,34 +317,8 @@ std::string Explainer::width(const WidestPath& widest) const {
 
 std::string Explainer::stopped(Status status, const Limits& limits,
                                const SearchMetrics& metrics) const {
-  const std::string expansions = std::to_string(metrics.expanded) + " expansions";
-  switch (status) {
-    case Status::expansion_limit:
-      if (limits.expansions == Limits::kUnlimited) {
-        return "stopped after " + expansions + ", the planner's own limit; give it a higher one" +
-               in_brackets(hints_.limit_expansions, std::to_string(2 * metrics.expanded));
-      }
-      return "stopped after " + expansions +
-             in_brackets(hints_.limit_expansions, std::to_string(limits.expansions));
-    case Status::time_limit:
-      if (std::isinf(limits.seconds)) {
-        return "stopped after " + expansions + ", at the planner's own limit on CPU time";
-      }
-      return "stopped after " + format_number(limits.seconds) + " s and " + expansions +
-             in_brackets(hints_.limit_seconds, format_number(limits.seconds));
-    case Status::cancelled:
-      return "cancelled after " + expansions;
-    case Status::step_limit:
-      return "the walk ended after " + std::to_string(metrics.expanded - 1) + " steps" +
-             in_brackets(hints_.limit_steps);
-    default:
-      return std::string(describe(status));
-  }
-}
-
-bool is_limit(Status status) {
-  return status == Status::expansion_limit || status == Status::time_limit ||
-         status == Status::step_limit || status == Status::cancelled;
+  return FailureText(space_, units_, hints_)
+      .stopped(status, {limits.expansions, limits.seconds}, metrics);
 }
 
 }  // namespace wend

@@ -4,7 +4,7 @@
 // free cell is, or what separates start and goal, and what would open a path.
 //
 //   const wend::Explainer explainer(space, wend::Units(space.map()), {}, {});
-//   report(explainer.explain(status, {start, {goal}}, query.limits, metrics));
+//   report(explainer.explain(planner, query, ends, planner.failure(query, status), metrics));
 
 #include <optional>
 #include <string>
@@ -17,38 +17,15 @@
 #include "wend/base/deadline.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/base/status.hpp"
-#include "wend/geometry/place_grid.hpp"
+#include "wend/planner/failure.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/session/failure_text.hpp"
 #include "wend/session/leeway.hpp"
 #include "wend/session/units.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {
-
-/// What a front end calls the options that an explanation recommends, such as "--unknown free". An
-/// explanation leaves out what is empty.
-struct Hints {
-  std::string unknown_free = {};      // unknown cells count as free
-  std::string outside_free = {};      // the robot may extend beyond the map
-  std::string squeeze = {};           // diagonal moves between obstacles that touch
-  std::string robot_radius = {};      // a radius follows
-  std::string nearest = {};           // plans from or to the nearest free cell
-  std::string nearest_limit = {};     // how far an end may be moved; a length follows
-  std::string escape = {};            // leads the robot out of what blocks it; a length follows
-  std::string explain = {};           // shows the explanation: "`wend explain` shows where"
-  std::string limit_expansions = {};  // a number follows
-  std::string limit_seconds = {};     // a number follows
-  std::string limit_steps = {};       // limits the steps of a walk
-  std::string turning_radius = {};    // a radius follows
-  std::string allow_reverse = {};     // the robot may drive in reverse
-};
-
-/// The start and the goals of a query, in words.
-struct Ends {
-  Place start;               // where the path begins
-  std::vector<Place> goals;  // one or more
-};
 
 class WEND_API Explainer {
  public:
@@ -64,19 +41,16 @@ class WEND_API Explainer {
   /// That deadline.
   const Deadline& deadline() const { return deadline_; }
 
-  /// Why a query ended with this status, in one or more sentences. O(cells log cells) if start and goal
-  /// are not connected, else O(cells until the nearest free one).
-  std::string explain(Status status, const Ends& ends, const Limits& limits,
-                      const SearchMetrics& metrics) const;
+  /// What is so, as words_of() says it in these units, without looking for what would help.
+  std::string words(const Failure& failure, const SearchMetrics& metrics = {}) const;
 
-  /// The same for a query of a planner on cells, with what the goals' tolerances have to do with it.
-  std::string explain(const Query& query, const Ends& ends, Status status,
-                      const SearchMetrics& metrics) const;
+  /// The same with what would help, as far as it was found to: for a failure of a planner on cells. `ends` are those of
+  /// the query. O(cells log cells) if start and goal are not connected, else O(cells until the nearest free one).
+  std::string explain(const Failure& failure, const Ends& ends, const SearchMetrics& metrics) const;
 
-  /// The same for a query that `planner` answered. A planner whose states have headings gives the
-  /// reason itself.
-  std::string explain(const Planner& planner, const Query& query, const Ends& ends, Status status,
-                      const SearchMetrics& metrics) const;
+  /// The same for a query that `planner` answered, and the failure that it made of it.
+  std::string explain(const Planner& planner, const Query& query, const Ends& ends,
+                      const Failure& failure, const SearchMetrics& metrics) const;
 
   /// "the start (3,4) is outside the map, which covers ..."
   std::string outside(const Place& place) const;
@@ -111,19 +85,19 @@ class WEND_API Explainer {
   std::string width(const WidestPath& widest) const;
 
  private:
-  std::string explain_goals(const Ends& ends) const;
+  std::string explain_pose(const Failure& failure, const Planner& planner, const Query& query,
+                           const Ends& ends, const SearchMetrics& metrics) const;
   std::string move(Place& place, Cell cell, std::string_view preposition) const;
-  std::string blocked_end(const Place& place, const Place& other) const;
   std::string nearest(const Place& place, const Place& other) const;
+  std::string nearest_place(const Planner& planner, const Goal& end, bool is_start) const;
+  std::string planned_from(double away, bool is_start, std::string_view place) const;
+  std::string opened_by_unknown(const Planner& planner, const Query& query) const;
   std::string ways_out(const Planner& planner, const Query& query) const;
   std::string too_far(double away) const;
   std::string nearest_beyond_limit(const Planner& planner, const Query& query, Status status) const;
   double most_moved() const;
   std::string hint_of_length(double cells) const;
   std::string unreachable(const Place& start, const Place& goal) const;
-  std::string as_asked(const Ends& ends, const PlaceGrid& places) const;
-  std::string too_near(const Place& place, std::string_view obstacle) const;
-  std::string why(const Place& place, BlockReason reason) const;
 
   FreeSpace space_;
   Units units_;
@@ -132,8 +106,5 @@ class WEND_API Explainer {
   std::optional<Leeway> leeway_ = {};
   Deadline deadline_ = {};
 };
-
-/// Did a search end at a limit, or because it was cancelled?
-WEND_API bool is_limit(Status status);
 
 }  // namespace wend

@@ -21,6 +21,7 @@
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
 #include "wend/path/trajectory.hpp"
+#include "wend/planner/failure.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/free_space.hpp"

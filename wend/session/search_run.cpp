@@ -1,5 +1,6 @@
 #include "wend/session/search_run.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "wend/planner/goal_region.hpp"
@@ -30,6 +31,9 @@ std::optional<Error> fault_of(const PlanRequest& request, bool steps) {
   }
   if (request.goals.empty()) {
     return Error{Status::unsupported_query, "there is no goal", "goals"};
+  }
+  if (std::isnan(request.limits.seconds)) {
+    return Error{Status::unsupported_query, "the limit of seconds is NaN", "seconds"};
   }
   if (request.from_field && !steps) {
     return Error{Status::unsupported_query,
@@ -79,7 +83,9 @@ struct SearchRun::State {
   std::optional<Status> step();
   std::optional<Status> restart();
   Status run();
+  Query asked() const;
   std::string why(Status status, const SearchMetrics& metrics) const;
+  RequestFailure failure(Status status) const;
   PlanAnswer answer(EasedQuery& of, Plan found) const;
   Expected<PlanAnswer, RequestFailure> finish();
 
@@ -206,10 +212,26 @@ std::optional<Status> SearchRun::State::step() {
   });
 }
 
+/// The query with the limits that messages name.
+Query SearchRun::State::asked() const {
+  Query query = eased.query();
+  query.limits = request().limits;
+  return query;
+}
+
 std::string SearchRun::State::why(Status status, const SearchMetrics& metrics) const {
-  Query asked = eased.query();
-  asked.limits = request().limits;  // as messages name them
-  return explainer.explain(*parts.planner, asked, ends(), status, metrics);
+  const Query query = asked();
+  return explainer.explain(*parts.planner, query, ends(), parts.planner->failure(query, status),
+                           metrics);
+}
+
+RequestFailure SearchRun::State::failure(Status status) const {
+  const Query query = asked();
+  Failure failure = parts.planner->failure(query, status);
+  std::string reason = request().explain
+                           ? explainer.explain(*parts.planner, query, ends(), failure, plan.metrics)
+                           : explainer.words(failure, plan.metrics);
+  return {PlanFailure{{status, std::move(reason)}, plan.metrics, std::move(failure)}, seconds};
 }
 
 PlanAnswer SearchRun::State::answer(EasedQuery& of, Plan found) const {
@@ -240,12 +262,7 @@ Expected<PlanAnswer, RequestFailure> SearchRun::State::finish() {
     rest_of = take_rest(errand);
   }
   const Status status = outcome.value_or(Status::cancelled);  // run() has set it
-  if (status != Status::found) {
-    std::string reason = request().explain ? why(status, plan.metrics)
-                                           : parts.planner->reason(eased.query(), status);
-    return Unexpected<RequestFailure>(
-        {PlanFailure{{status, std::move(reason)}, plan.metrics}, seconds});
-  }
+  if (status != Status::found) return Unexpected<RequestFailure>(failure(status));
   const Path over_centres = parts.kept ? plan.path : Path();
   PlanAnswer done = answer(eased, std::move(plan));
   if (parts.kept) remember(std::move(errand), std::move(rest_of), over_centres, done);

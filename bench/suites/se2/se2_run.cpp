@@ -10,6 +10,7 @@
 #include "bench/suites/se2/exhaustive_drive.hpp"
 #include "wend/base/status.hpp"
 #include "wend/base/thread_time.hpp"
+#include "wend/session/failure_text.hpp"
 
 namespace wend::bench {
 namespace {
@@ -147,10 +148,10 @@ Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
     }
     run.costs.emplace_back();
     const Pose& start = query.start;
-    run.unsolved.push_back(fmt::format("query {} from ({},{},{:.2f} rad): {}: {}{}", i, start.x,
-                                       start.y, start.heading, to_string(status),
-                                       (*planner)->reason(query, status),
-                                       settings.exhaustive ? verdict(space, query, radius) : ""));
+    run.unsolved.push_back(fmt::format(
+        "query {} from ({},{},{:.2f} rad): {}: {}{}", i, start.x, start.y, start.heading,
+        to_string(status), words_of((*planner)->failure(query, status), plan.metrics, space),
+        settings.exhaustive ? verdict(space, query, radius) : ""));
   }
   run.resident_mb = (resident_bytes() - resident) / 1e6;
   count_curves(**planner, queries, run);

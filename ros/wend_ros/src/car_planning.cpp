@@ -11,6 +11,7 @@
 #include "wend/planner/planners.hpp"
 #include "wend/robot/car_primitives.hpp"
 #include "wend/robot/repeated_moves.hpp"
+#include "wend/session/failure_text.hpp"
 
 namespace wend_ros {
 namespace {
@@ -126,7 +127,8 @@ CarResult plan_car(const CarRequest& request, const Watch& watch) {
   if (status == wend::Status::found) {
     put_plan(result, plan);
   } else {
-    result.reason = (*planner)->reason(query, status);
+    result.reason =
+        wend::words_of((*planner)->failure(query, status), plan.metrics, (*planner)->free_space());
   }
   result.metrics.expanded = plan.metrics.expanded;
   result.metrics.generated = plan.metrics.generated;

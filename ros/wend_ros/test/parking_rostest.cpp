@@ -115,7 +115,7 @@ TEST_F(Parking, AClickParksInReverseAndTheOutlinesAreFree) {
 TEST_F(Parking, SaysWhichCornerTouches) {
   const PlanResult askew = park(facing(13.5, 14, kDown));
   EXPECT_EQ(askew.status, 206);
-  EXPECT_NE(askew.reason.find("its rear right corner lies in the obstacle cell (12,14)"),
+  EXPECT_NE(askew.reason.find("rear right corner lies in the obstacle cell (12,14)"),
             std::string::npos)
       << askew.reason;
 }

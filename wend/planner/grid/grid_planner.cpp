@@ -1,39 +1,10 @@
 #include "wend/planner/grid/grid_planner.hpp"
 
-#include "wend/base/parse.hpp"
-#include "wend/map/place_text.hpp"
 #include "wend/planner/rest_of_path.hpp"
 #include "wend/space/grid/grid_path.hpp"
 #include "wend/space/grid/line_cost.hpp"
 
 namespace wend {
-namespace {
-
-std::string text_of(Point point) {
-  return '(' + format_number(point.x) + ',' + format_number(point.y) + ')';
-}
-
-/// "the start, cell (3,4), is an obstacle"; on a map in metres "the start (0.35,0.45) m, cell (3,4), is an obstacle".
-std::string end_in_cells(const FreeSpace& space, const std::string& name, Point point) {
-  const auto cell = cell_under(space, point);
-  const Frame& frame = space.map().frame();
-  if (!cell && frame.metric) {
-    return "the " + name + " " + metres_text(frame.to_metres(point)) +
-           " is outside the map, which covers " +
-           covered_metres(frame, space.width(), space.height());
-  }
-  if (!cell) {
-    return "the " + name + " " + text_of(point) + " is outside the map of " +
-           std::to_string(space.width()) + " x " + std::to_string(space.height()) + " cells";
-  }
-  const std::string text =
-      "the " + name + (frame.metric ? ' ' + metres_text(frame.to_metres(centre_of(*cell))) : "") +
-      ", cell " + cell_text(*cell);
-  const auto blocked = space.why_blocked(*cell);
-  return blocked ? text + ", is " + std::string(describe(*blocked)) : text;
-}
-
-}  // namespace
 
 std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjacency,
                                         const Query& query) {
@@ -66,22 +37,6 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
   }
   if (goals.empty()) return why_none;
   return std::nullopt;
-}
-
-std::string reason_in_cells(const FreeSpace& space, const Query& query, Status status) {
-  switch (status) {
-    case Status::start_outside:
-    case Status::start_blocked:
-      return end_in_cells(space, "start", query.start.point());
-    case Status::goal_outside:
-    case Status::goal_blocked:
-      return end_in_cells(space, "goal", query.goals.front().point);
-    case Status::unreachable:
-      return "there is no path from " + end_in_cells(space, "start", query.start.point()) +
-             ", to " + end_in_cells(space, "goal", query.goals.front().point);
-    default:
-      return {};
-  }
 }
 
 GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts, DeadlineCheck& stop)
@@ -119,10 +74,6 @@ void GridPlanner::assess(Plan& out) {
              : free_space().uniform_terrain() ? out.path.length()
                                               : any_angle_path_cost(free_space(), cells);
   out.bound = engine_->bound().value_or(bound_);
-}
-
-std::string GridPlanner::do_reason(const Query& query, Status status) const {
-  return reason_in_cells(free_space(), query, status);
 }
 
 double GridPlanner::do_heuristic(const Pose& pose) const {

@@ -50,9 +50,6 @@ struct WEND_API GridQuery {
   std::optional<Status> assign(const FreeSpace& space, Adjacency adjacency, const Query& query);
 };
 
-/// Planner::reason() of a planner that moves from cell to cell.
-WEND_API std::string reason_in_cells(const FreeSpace& space, const Query& query, Status status);
-
 class GridPlanner final : public SearchPlanner<GridEngine> {
  public:
   struct Parts {
@@ -80,7 +77,6 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   std::optional<Status> do_check(const Query& query) override;
   void begin_search(const Limits& limits, SearchObserver* observer) override;
   void assess(Plan& out) override;
-  std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
   std::optional<GridMoves> do_grid_moves() const override { return moves_; }
   std::optional<Plan> do_rest_of(const Path& path, const Query& query,

@@ -1,5 +1,6 @@
 #include "wend/planner/indexed/index_planner.hpp"
 
+#include "wend/planner/failure_causes.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/rest_of_path.hpp"
@@ -95,9 +96,9 @@ class IndexPlanner final : public Planner {
     return nearest;
   }
 
-  std::string do_reason(const Query& query, Status status) const override {
-    if (answers_ == nullptr) return why_none_.message;
-    return reason_in_cells(free_space(), query, status);
+  std::vector<FailureCause> do_failure(const Query& query, Status status) const override {
+    if (answers_ == nullptr) return {OwnText{why_none_.message}};
+    return causes_in_cells(free_space(), query, status);
   }
 
   std::optional<Plan> do_rest_of(const Path& path, const Query& query,

@@ -10,6 +10,7 @@
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
 #include "wend/planner/widening_engine.hpp"
+#include "wend/robot/zone_name.hpp"
 #include "wend/search/frontiers.hpp"
 #include "wend/space/lattice/car_heuristic.hpp"
 #include "wend/space/lattice/car_space.hpp"
@@ -159,6 +160,33 @@ void write_drive(const CarLattice& lattice, std::span<const CornerPose> places, 
   }
   assert(places.size() == out.path.size() && out.moves.size() + 1 == places.size());
   out.cost = car_path_cost(lattice, places);
+}
+
+std::optional<FailureCause> why_blocked(const CarLattice& lattice, EndIndex end,
+                                        const CornerPose& place) {
+  const auto fault = lattice.why_blocked(place.vertex);
+  if (!fault) return std::nullopt;
+  const FreeSpace& space = lattice.free_space();
+  EndBlocked blocked{.end = end,
+                     .reason = fault->reason,
+                     .cell = fault->cell,
+                     .distance = fault->distance,
+                     .radius = space.radius_in_cells()};
+  if (fault->cell) blocked.mask = mask_at(space, *fault->cell);
+  return blocked;
+}
+
+bool can_leave(const CarLattice& lattice, const CornerPose& place) {
+  const CarSpace<RealCarCosts> space(lattice);
+  bool any = false;
+  space.for_each_successor(space.state(place), kNoMove,
+                           [&](const CarState&, Move, double) { any = true; });
+  return any;
+}
+
+/// Moves can be undone.
+bool can_arrive(const CarLattice& lattice, const CornerPose& place) {
+  return can_leave(lattice, place);
 }
 
 }  // namespace wend

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/planner/failure_causes.hpp"
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/lattice/lattice_options.hpp"
 #include "wend/planner/leaving_motion.hpp"
@@ -84,8 +85,16 @@ std::vector<LeavingMotion> leaving_motions(const MotionLattice& lattice, const L
 void write_drive(const CarLattice& lattice, std::span<const CornerPose> places, Plan& out);
 void write_drive(const MotionLattice& lattice, std::span<const LatticePose> places, Plan& out);
 
-/// Where and why a query fails, in words; empty where there is no more to say than what the status does.
-std::string reason_on(const CarLattice& lattice, const Query& query, Status status);
-std::string reason_on(const MotionLattice& lattice, const Query& query, Status status);
+/// Why the robot cannot stand at a place; nothing if it can.
+std::optional<FailureCause> why_blocked(const CarLattice& lattice, EndIndex end,
+                                        const CornerPose& place);
+std::optional<FailureCause> why_blocked(const MotionLattice& lattice, EndIndex end,
+                                        const LatticePose& place);
+
+/// Does any motion lead from a place, or to one?
+bool can_leave(const CarLattice& lattice, const CornerPose& place);
+bool can_leave(const MotionLattice& lattice, const LatticePose& place);
+bool can_arrive(const CarLattice& lattice, const CornerPose& place);
+bool can_arrive(const MotionLattice& lattice, const LatticePose& place);
 
 }  // namespace wend

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -225,13 +226,61 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
     out.goal_snapping_error = snapping_error_between(asked_goals_[index], lattice_->to_grid(last));
   }
 
-  std::string do_reason(const Query& query, Status status) const override {
-    if (status == Status::unsupported_map) return fault_ ? fault_->message : std::string();
-    if (status == Status::unsupported_query) {
-      return query.goals.empty() ? "the query has no goal"
-                                 : "the headings of the start and the goal must be finite numbers";
+  std::vector<FailureCause> do_failure(const Query& query, Status status) const override {
+    if (!lattice_) return {OwnText{fault_ ? fault_->message : std::string()}};
+    switch (status) {
+      case Status::unsupported_query:
+        return {
+            wrong_heading(query, std::numeric_limits<double>::max(), InvalidQuery::Fault::heading)};
+      case Status::start_outside:
+        return {EndOutside{}};
+      case Status::start_blocked:
+        return {why_no_place({}, Goal(query.start)).value_or(EndBlocked{})};
+      case Status::goal_outside:
+      case Status::goal_blocked:
+        return causes_of_goals(query,
+                               [&](std::size_t i) { return why_no_place(i, query.goals[i]); });
+      case Status::unreachable:
+        if (!may_leave(query.start)) return {NoMotion{}};
+        return causes_of_goals(query,
+                               [&](std::size_t i) { return why_no_motion(i, query.goals[i]); });
+      default:
+        return {};
     }
-    return lattice_ ? reason_on(*lattice_, query, status) : std::string();
+  }
+
+  /// Nothing if the robot may stand somewhere at this end.
+  std::optional<FailureCause> why_no_place(EndIndex end, const Goal& goal) const {
+    PlaceGoal taken = places_of(goal);
+    if (taken.vertices.keep_if(
+            [&](Cell vertex) { return lattice_->may_stand(vertex, taken.headings); })) {
+      return std::nullopt;
+    }
+    const auto place = lattice_->place_on({goal.point.x, goal.point.y, goal.heading.value_or(0)});
+    if (!place) return EndOutside{end};
+    auto cause = why_blocked(*lattice_, end, *place);
+    if (cause) cause = at_headings(*std::move(cause), goal, this->free_space());
+    return cause;
+  }
+
+  bool may_leave(const Pose& start) const {
+    const auto place = lattice_->place_on(start);
+    return place && can_leave(*lattice_, *place);
+  }
+
+  /// Nothing if motions lead to a goal where the robot may stand.
+  std::optional<FailureCause> why_no_motion(std::size_t index, const Goal& goal) const {
+    if (auto cause = why_no_place(index, goal)) return cause;
+    const PlaceGoal taken = places_of(goal);
+    bool any = false;
+    taken.vertices.for_each([&](Cell vertex) {
+      for (std::size_t heading = 0; heading < lattice_->headings().size() && !any; ++heading) {
+        if (!taken.headings[heading]) continue;
+        const Place place{vertex, static_cast<decltype(Place::heading)>(heading)};
+        any = lattice_->may_stand(place) && can_arrive(*lattice_, place);
+      }
+    });
+    return any ? std::nullopt : std::optional<FailureCause>(NoMotion{index});
   }
 
   double do_heuristic(const Pose& pose) const override {

@@ -5,11 +5,9 @@
 
 #include "wend/geometry/compass.hpp"
 #include "wend/geometry/trigonometry.hpp"
-#include "wend/map/place_text.hpp"
 #include "wend/planner/anytime_engine.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
-#include "wend/robot/zone_name.hpp"
 #include "wend/search/frontiers.hpp"
 #include "wend/search/paged_nodes.hpp"
 #include "wend/space/lattice/motion_steps.hpp"
@@ -68,19 +66,6 @@ using MotionEngine =
 using AnytimeMotionEngine = AnytimeEngineOf<LatticeEngine<MotionLattice>, LatticeNames, MotionSpace,
                                             MotionPriority, ParentLinks, PagedNodes>;
 
-std::string blocked(const MotionLattice& lattice, const std::string& name, const Pose& pose) {
-  const auto place = lattice.nearest(pose);
-  if (!place) return {};
-  const Pose taken = lattice.to_grid(*place);
-  const auto reason = lattice.free_space().why_blocked(taken);
-  const auto mask = reason == BlockReason::obstacle
-                        ? mask_that_blocks(lattice.free_space(), cell_at(taken.point()))
-                        : std::nullopt;
-  return "the robot does not fit at the " + name + " " +
-         pose_text(taken, lattice.free_space().map().frame()) + " of the lattice" +
-         (reason ? ": " + (mask ? "blocked by " + *mask : std::string(describe(*reason))) : "");
-}
-
 }  // namespace
 
 std::unique_ptr<LatticeEngine<MotionLattice>> make_engine(const MotionLattice& lattice,
@@ -136,19 +121,22 @@ void write_drive(const MotionLattice& lattice, std::span<const LatticePose> plac
   }
 }
 
-std::string reason_on(const MotionLattice& lattice, const Query& query, Status status) {
-  const auto pose_of_goal = [&] {
-    const Goal& goal = query.goals.front();
-    return Pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
-  };
-  if (status == Status::start_blocked) return blocked(lattice, "start", query.start);
-  if (query.goals.empty()) return {};
-  if (status == Status::goal_blocked) return blocked(lattice, "goal", pose_of_goal());
-  if (status != Status::unreachable) return {};
-  const Frame& frame = lattice.free_space().map().frame();
-  const Goal& goal = query.goals.front();
-  return "no sequence of motion primitives leads from the start " + pose_text(query.start, frame) +
-         " to the goal " + pose_text(goal.point, goal.heading, frame);
+std::optional<FailureCause> why_blocked(const MotionLattice& lattice, EndIndex end,
+                                        const LatticePose& place) {
+  return why_blocked(lattice.free_space(), end, lattice.to_grid(place));
+}
+
+bool can_leave(const MotionLattice& lattice, const LatticePose& place) {
+  return std::ranges::any_of(lattice.leaving(place.heading), [&](const LatticeStep& step) {
+    return lattice.fits(place.vertex, step);
+  });
+}
+
+bool can_arrive(const MotionLattice& lattice, const LatticePose& place) {
+  return std::ranges::any_of(lattice.steps(), [&](const LatticeStep& step) {
+    const Cell from{place.vertex.x - step.by.x, place.vertex.y - step.by.y};
+    return step.to == place.heading && lattice.contains(from) && lattice.fits(from, step);
+  });
 }
 
 }  // namespace wend

@@ -1,13 +1,18 @@
 #pragma once
 
-// The ends of a query on a lattice: which goals a planner can take, and how far the lattice is from what was
-// asked for.
+// The ends of a query of a planner with headings: which goals it can take, why it takes none, and how far its places are
+// from what was asked for.
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "wend/base/status.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/planner/failure.hpp"
 #include "wend/planner/plan.hpp"
 
 namespace wend {
@@ -24,6 +29,34 @@ std::optional<Status> take_goals(const Query& query, Take&& take) {
     if (failed && !why_none) why_none = failed;
   }
   return any ? std::nullopt : why_none;
+}
+
+/// The end whose heading is not finite or larger than `most`.
+inline InvalidQuery wrong_heading(const Query& query, double most, InvalidQuery::Fault fault) {
+  const auto is_wrong = [most](double heading) { return !(std::abs(heading) <= most); };
+  if (is_wrong(query.start.heading)) return {fault, {}};
+  const auto wrong = std::ranges::find_if(
+      query.goals, [&](const Goal& goal) { return is_wrong(goal.heading.value_or(0)); });
+  return {fault, static_cast<std::size_t>(wrong - query.goals.begin())};
+}
+
+/// What cause(index) says of each goal; if that is nothing, no path leads there.
+template <class Cause>
+std::vector<FailureCause> causes_of_goals(const Query& query, Cause&& cause) {
+  std::vector<FailureCause> causes;
+  for (std::size_t i = 0; i < query.goals.size(); ++i) {
+    std::optional<FailureCause> why = cause(i);
+    causes.push_back(why ? *std::move(why) : Separated{i});
+  }
+  return causes;
+}
+
+/// A polygon may fit at another heading than the one that the cause is about; where a goal leaves it open, all were tried.
+inline FailureCause at_headings(FailureCause cause, const Goal& goal, const FreeSpace& space) {
+  if (auto* const blocked = std::get_if<EndBlocked>(&cause)) {
+    blocked->at_every_heading = !goal.heading && space.outline() != nullptr;
+  }
+  return cause;
 }
 
 /// Calls visit(index) for each of `count` headings at which a goal lets a path end; `nearest` is the one that

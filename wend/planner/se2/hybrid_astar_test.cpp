@@ -140,7 +140,10 @@ TEST(HybridAStarFailures, AreToldApart) {
   ASSERT_FALSE(wall);
   EXPECT_EQ(wall.error().status, Status::unreachable);
   EXPECT_EQ(wall.error().metrics.expanded, 0U);
-  EXPECT_THAT(wall.error().message, HasSubstr("obstacles part them"));
+  ASSERT_EQ(wall.error().failure.causes.size(), 1U);
+  const auto* const why = std::get_if<NoDriveFound>(&wall.error().failure.causes.front());
+  ASSERT_NE(why, nullptr);
+  EXPECT_EQ(why->why, NoDriveFound::Why::parted);
   EXPECT_EQ(planner->plan({{9.5, 1.5, 0}, {Goal(Pose{1.5, 1.5, 0})}}).error().status,
             Status::start_blocked);
   EXPECT_EQ(planner->plan({{1.5, 1.5, 0}, {Goal(Pose{40.5, 1.5, 0})}}).error().status,

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "wend/geometry/compass.hpp"
+#include "wend/planner/failure_causes.hpp"
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/lattice/query_ends.hpp"
-#include "wend/planner/se2/hybrid_reasons.hpp"
 #include "wend/planner/se2/rest_of_drive.hpp"
 #include "wend/robot/near_map.hpp"
 #include "wend/robot/nearest_passable.hpp"
@@ -261,30 +261,40 @@ std::uint64_t HybridPlanner::do_state_count() const {
 /// What the last run has learned, if it was of this query.
 NoDriveFound HybridPlanner::why_no_drive(const Query& query) const {
   const Goal& goal = query.goals.front();
-  if (place_for(goal) && !place_for(goal, cell_at(query.start.point()))) {
-    return {NoDriveFound::Why::parted, {}};
-  }
-  return search_ ? search_->no_drive() : NoDriveFound{};
+  const bool parted = place_for(goal) && !place_for(goal, cell_at(query.start.point()));
+  NoDriveFound why = parted    ? NoDriveFound{.why = NoDriveFound::Why::parted}
+                     : search_ ? search_->no_drive()
+                               : NoDriveFound{};
+  const double resolution = free_space().map().frame().resolution;
+  why.disc_radius = free_space().footprint().inner_disc().radius / resolution;
+  return why;
 }
 
-std::string HybridPlanner::do_reason(const Query& query, Status status) const {
-  if (status != Status::start_blocked && query.goals.empty()) return {};
+std::optional<FailureCause> HybridPlanner::why_no_place(std::size_t index, const Goal& goal) const {
+  if (place_for(goal)) return std::nullopt;
+  if (!cell_under(free_space(), goal.point)) return EndOutside{index};
+  const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
+  auto cause = why_blocked(free_space(), index, pose);
+  if (cause) cause = at_headings(*std::move(cause), goal, free_space());
+  return cause;
+}
+
+std::vector<FailureCause> HybridPlanner::do_failure(const Query& query, Status status) const {
   switch (status) {
     case Status::unsupported_query:
-      return reason_of_headings(query);
+      return {wrong_heading(query, kLargestHeading, InvalidQuery::Fault::large_heading)};
     case Status::start_outside:
-      return reason_of_outside_start(free_space(), query);
-    case Status::goal_outside:
-      return reason_of_outside_goal(free_space(), query);
+      return {EndOutside{}};
     case Status::start_blocked:
-      return reason_of_blocked_start(free_space(), query);
+      return {why_blocked(free_space(), {}, query.start).value_or(EndBlocked{})};
+    case Status::goal_outside:
     case Status::goal_blocked:
-      return reason_of_blocked_goal(free_space(), query);
+      return causes_of_goals(query, [&](std::size_t i) { return why_no_place(i, query.goals[i]); });
     case Status::unreachable:
-      return reason_of_no_drive(why_no_drive(query), free_space(), query);
+      return {why_no_drive(query)};
     case Status::time_limit:
       if (std::isfinite(query.limits.seconds)) return {};
-      return reason_of_time_budget(options_.time_budget, free_space(), query);
+      return {OwnLimit{"hybrid_astar", "time_budget", options_.time_budget}};
     default:
       return {};
   }

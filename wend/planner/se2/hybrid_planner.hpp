@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "wend/planner/planner.hpp"
@@ -12,7 +11,6 @@
 #include "wend/planner/se2/hybrid_goal.hpp"
 #include "wend/planner/se2/hybrid_ground.hpp"
 #include "wend/planner/se2/hybrid_portfolio.hpp"
-#include "wend/planner/se2/hybrid_reasons.hpp"
 
 namespace wend {
 
@@ -27,7 +25,7 @@ class HybridPlanner final : public Planner {
 
   std::optional<Status> do_check(const Query& query) override;
   Status do_plan(const Query& query, Plan& out) override;
-  std::string do_reason(const Query& query, Status status) const override;
+  std::vector<FailureCause> do_failure(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
   std::uint64_t do_state_count() const override;
   std::optional<GridMoves> do_grid_moves() const override { return std::nullopt; }
@@ -41,6 +39,7 @@ class HybridPlanner final : public Planner {
   void do_release() override;
 
   NoDriveFound why_no_drive(const Query& query) const;
+  std::optional<FailureCause> why_no_place(std::size_t index, const Goal& goal) const;
   std::optional<Status> take_goal(const Query& query, std::size_t index);
   std::optional<HybridGoal> place_for(const Goal& goal, const std::optional<Cell>& from = {}) const;
   std::optional<double> heading_at(Point point, const Goal& goal) const;

@@ -228,7 +228,8 @@ void HybridPortfolio::begin(const Pose& start, std::span<const HybridGoal> goals
   for (Member& member : members_) member.begun = member.over = false;
   finder_ = nullptr;
   most_shuffles_ = kMostShuffles;
-  no_drive_ = {NoDriveFound::Why::none_found, resolution_of(fine)};
+  const HybridResolution finest = resolution_of(fine);
+  no_drive_ = {.box = finest.position, .headings = finest.headings, .step = finest.step};
   start_ = start;
   goals_ = goals;
   limits_ = &limits;

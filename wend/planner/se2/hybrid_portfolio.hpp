@@ -28,9 +28,9 @@
 #include <vector>
 
 #include "wend/base/limits.hpp"
+#include "wend/planner/failure.hpp"
 #include "wend/planner/se2/hybrid_ground.hpp"
 #include "wend/planner/se2/hybrid_search.hpp"
-#include "wend/planner/se2/no_drive_found.hpp"
 #include "wend/planner/se2/pose_flood.hpp"
 
 namespace wend {

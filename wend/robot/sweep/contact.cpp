@@ -77,18 +77,18 @@ std::string describe(const Contact& contact, const FreeSpace& space) {
   const Frame& frame = space.map().frame();
   const auto named = [&](std::size_t corner) { return corner_name(outline, corner, frame); };
   if (!contact.obstacle) {
-    return "its " + named(contact.corner.value_or(0)) + " reaches over the map's edge";
+    return "the robot's " + named(contact.corner.value_or(0)) + " reaches over the map's edge";
   }
   const bool unknown = space.map().state(*contact.obstacle) == CellState::unknown;
-  const auto mask = mask_that_blocks(space, *contact.obstacle);
+  const auto mask = mask_at(space, *contact.obstacle);
   const std::string cell =
-      mask ? "the cell " + cell_text(*contact.obstacle) + " of " + *mask
+      mask ? "the cell " + cell_text(*contact.obstacle) + " of " + mask_text(*mask)
            : (unknown ? "the unknown cell " : "the obstacle cell ") + cell_text(*contact.obstacle);
-  if (contact.corner) return "its " + named(*contact.corner) + " lies in " + cell;
-  if (!contact.side) return "it covers " + cell;
+  if (contact.corner) return "the robot's " + named(*contact.corner) + " lies in " + cell;
+  if (!contact.side) return "the robot covers " + cell;
   const std::size_t next = (*contact.side + 1) % outline.corners().size();
-  return "its side from the " + named(*contact.side) + " to the " + named(next) + " crosses " +
-         cell;
+  return "the robot's side from the " + named(*contact.side) + " to the " + named(next) +
+         " crosses " + cell;
 }
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
@@ -24,13 +25,13 @@ struct Contact {
 
 /// The contact of the first corner that touches anything; else that of the first obstacle, by rows. Nothing if the
 /// robot is not a polygon, or fits. The pose is finite.
-std::optional<Contact> contact_at(const FreeSpace& space, const Pose& pose);
+WEND_API std::optional<Contact> contact_at(const FreeSpace& space, const Pose& pose);
 
 /// "front left corner" of an outline with one corner in each quadrant around the base point; else
 /// "corner (0.4,0.25)", in the coordinates of the outline. Left is as the map is drawn.
-std::string corner_name(const Polygon& outline, std::size_t corner, const Frame& frame);
+WEND_API std::string corner_name(const Polygon& outline, std::size_t corner, const Frame& frame);
 
-/// "its front left corner lies in the obstacle cell (3,4)"
-std::string describe(const Contact& contact, const FreeSpace& space);
+/// "the robot's front left corner lies in the obstacle cell (3,4)"
+WEND_API std::string describe(const Contact& contact, const FreeSpace& space);
 
 }  // namespace wend

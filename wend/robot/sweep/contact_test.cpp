@@ -35,40 +35,41 @@ TEST(Contact, NamesTheCornerInAnObstacle) {
   const FreeSpace space = contact_space(kContactRoom, kContactShape);
   // Row 0 is the top row, so +y is on the right.
   EXPECT_EQ(contact_in_words(space, {4, 1.6, 0}),
-            "its front right corner lies in the obstacle cell (5,2)");
+            "the robot's front right corner lies in the obstacle cell (5,2)");
   EXPECT_EQ(contact_in_words(space, {4, 3.4, 0}),
-            "its front left corner lies in the obstacle cell (5,2)");
+            "the robot's front left corner lies in the obstacle cell (5,2)");
   EXPECT_EQ(contact_in_words(space, {4, 3.4, kPi}),
-            "its rear right corner lies in the obstacle cell (5,2)");
+            "the robot's rear right corner lies in the obstacle cell (5,2)");
   EXPECT_EQ(contact_in_words(space, {2, 2.5, 0}), "nothing");
 }
 
 TEST(Contact, NamesTheMapsEdge) {
   EXPECT_EQ(contact_in_words(contact_space(kContactRoom, kContactShape), {1, 2.5, 0}),
-            "its rear right corner reaches over the map's edge");
+            "the robot's rear right corner reaches over the map's edge");
   EXPECT_EQ(contact_in_words(contact_space(kContactRoom, kContactShape, OutsidePolicy::free),
                              {1, 2.5, 0}),
             "nothing");
 }
 
 TEST(Contact, NamesTheSideThatCrossesAnObstacle) {
-  EXPECT_EQ(contact_in_words(contact_space(kContactRoom, kContactShape), {4, 2.5, 0}),
-            "its side from the front left corner to the front right corner crosses the obstacle "
-            "cell (5,2)");
+  EXPECT_EQ(
+      contact_in_words(contact_space(kContactRoom, kContactShape), {4, 2.5, 0}),
+      "the robot's side from the front left corner to the front right corner crosses the obstacle "
+      "cell (5,2)");
   EXPECT_EQ(contact_in_words(contact_space(kContactRoom, "1.5,1.5; 1.5,-1.5; -1.5,-1.5; -1.5,1.5"),
                              {5.5, 2.5, 0}),
-            "it covers the obstacle cell (5,2)");
+            "the robot covers the obstacle cell (5,2)");
 }
 
 TEST(Contact, NamesCornersOfOtherPolygonsByTheirCoordinates) {
   EXPECT_EQ(contact_in_words(contact_space(kContactRoom, "1.5,0; -1,1; -1,-1"), {4, 2.5, 0}),
-            "its corner (1.5,0) lies in the obstacle cell (5,2)");
+            "the robot's corner (1.5,0) lies in the obstacle cell (5,2)");
 }
 
 TEST(Contact, TellsUnknownCellsApart) {
   EXPECT_EQ(
       contact_in_words(contact_space("....?\n", "1,0.4; 1,-0.4; -1,-0.4; -1,0.4"), {3.5, 0.5, 0}),
-      "its front right corner lies in the unknown cell (4,0)");
+      "the robot's front right corner lies in the unknown cell (4,0)");
 }
 
 /// A contact exists exactly where the robot does not fit, and what it names is there.
