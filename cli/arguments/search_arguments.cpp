@@ -1,16 +1,12 @@
 #include "cli/arguments/search_arguments.hpp"
 
 #include <chrono>
+#include <cstdint>
 
 #include "cli/arguments/flags.hpp"
 #include "cli/interrupt.hpp"
 
 namespace wend::cli {
-namespace {
-
-constexpr NumberRange kLimitSeconds{0, 1e9, "s"};
-
-}  // namespace
 
 void MovesArguments::add_to(Parser& app) {
   add_choice<Connectivity>(app, "--connectivity", moves.connectivity, named_values<Connectivity>(),
@@ -26,20 +22,9 @@ void add_corner_rule(Parser& app, CornerRule& rule) {
       "between two obstacles that touch at a corner (default none)");
 }
 
-void LimitArguments::add_to(Parser& app) {
-  add_count(app, "--limit-expansions", expansions, "Limit on the number of expansions");
-  add_number(
-      app, "--limit-time", seconds, kLimitSeconds,
-      "Limit on the time, in seconds of wall time: on making the free space and the planner, "
-      "the search, the reason of a failure, smoothing and timing; reading the map does not "
-      "count. With --queries, of each query by itself");
-  app.further({"--limit-expansions"});
-}
-
 Limits LimitArguments::limits() const {
   Limits limits;
-  limits.expansions = expansions;
-  if (seconds) limits.seconds = *seconds;
+  fields_.put(limits);
   limits.cancel = &Interruptible::cancelled();
   return limits;
 }

@@ -3,10 +3,8 @@
 // What limits a search: the moves of the robot (--connectivity, --corner-rule) where no planner has them
 // among its options, and --limit-expansions and --limit-time.
 
-#include <cstdint>
-#include <optional>
-
 #include "cli/arguments/parser.hpp"
+#include "cli/arguments/request_arguments.hpp"
 #include "cli/output/progress_bar.hpp"
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/base/deadline.hpp"
@@ -26,11 +24,9 @@ struct MovesArguments {
 void add_corner_rule(Parser& app, CornerRule& rule);
 
 /// --limit-expansions and --limit-time.
-struct LimitArguments {
-  std::uint64_t expansions = Limits::kUnlimited;
-  std::optional<double> seconds;
-
-  void add_to(Parser& app);
+class LimitArguments {
+ public:
+  void add_to(Parser& app) { fields_.add_limits_to(app); }
 
   /// `progress` is told the cells expanded; it must outlive the search. Within an Interruptible,
   /// Ctrl-C cancels the search.
@@ -41,6 +37,9 @@ struct LimitArguments {
 
   /// The limit on time and Ctrl-C, for all that a query takes; the time begins.
   Deadline deadline() const;
+
+ private:
+  RequestArguments fields_;
 };
 
 /// Seconds of a monotonic clock.

@@ -9,9 +9,9 @@
 
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
-#include "cli/arguments/leeway_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/refine_arguments.hpp"
+#include "cli/arguments/request_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
@@ -31,7 +31,7 @@ struct CheckArguments {
   std::string path;
   GridMoves moves;
   std::optional<double> corner_rounding;  // in the user's units
-  LeewayArguments leeway;
+  RequestArguments request;
   Format format = Format::text;
   PictureArguments pictures;
   OutputFiles output;
@@ -98,7 +98,7 @@ int run(const CheckArguments& arguments) {
   const FreeSpace space = arguments.map.free_space(loaded.map);
   const Path path = load_path_for(space, arguments.path, PathStage::smoothed);
   const Coordinates coordinates = arguments.map.coordinates(loaded.map);
-  const double escape = arguments.leeway.leeway(coordinates).escape_in_cells(loaded.map.frame());
+  const double escape = arguments.request.leeway(coordinates).escape_in_cells(loaded.map.frame());
   const LedPath led = check_with_lead(path, space, escape, arguments.moves.adjacency());
   if (!led.ends_free && !led.collision) {
     complain("the path is not free: it ends where the robot does not fit");
@@ -127,7 +127,7 @@ Command add_check(Parser& app) {
   const auto arguments = std::make_shared<CheckArguments>();
   arguments->map.add_to(check);
   add_path_file(check, arguments->path);
-  arguments->leeway.add_escape_to(check);
+  arguments->request.add_to(check, {"escape"});
   add_corner_rule(check, arguments->moves.corner_rule);
   add_corner_rounding(check, arguments->corner_rounding);
   add_format(check, arguments->format);

@@ -14,9 +14,9 @@
 #include "bench/comparison/comparison_plot.hpp"
 #include "bench/comparison/comparison_run.hpp"
 #include "cli/arguments/flags.hpp"
-#include "cli/arguments/leeway_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/planner_argument.hpp"
+#include "cli/arguments/request_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
 #include "cli/arguments/typed_request.hpp"
 #include "cli/commands/command.hpp"
@@ -42,7 +42,7 @@ struct CompareArguments {
   std::uint64_t random = 0;
   std::uint64_t seed = 1;
   LimitArguments limits;
-  LeewayArguments leeway;
+  RequestArguments request;
   TableFormat format = TableFormat::text;
   StyleName style = StyleName::light;
   std::optional<double> speed;
@@ -174,9 +174,7 @@ void answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArgum
 /// Says why planners found nothing, as `wend plan` does.
 void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const FreeSpace& space) {
   const Coordinates coordinates = arguments.map.coordinates(space.map());
-  Limits limits;
-  limits.expansions = arguments.limits.expansions;
-  limits.seconds = arguments.limits.seconds.value_or(limits.seconds);
+  const Limits limits = arguments.limits.limits();
   for (ComparedQuery& query : run.comparison().queries) {
     Ends ends{coordinates.place("start", cell_at(query.start.point())), {}};
     for (const Goal& goal : query.goals) {
@@ -186,7 +184,7 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
       ComparisonRow& row = query.rows[i];
       const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
       Explainer explainer = explainer_for(space, coordinates, run.grid_moves(i));
-      explainer.allow(arguments.leeway.leeway(coordinates));
+      explainer.allow(arguments.request.leeway(coordinates));
       if (is_limit(row.status)) {
         row.reason = explainer.stopped(row.status, limits, metrics);
       } else if (!row.failure.causes.empty()) {
@@ -294,7 +292,7 @@ int run(const CompareArguments& arguments) {
   auto made = ComparisonRun::make(space, std::move(specs), thread_cpu_seconds);
   if (!made) throw InputError(made.error().message);
   ComparisonRun& run = *made;
-  run.allow(arguments.leeway.leeway(arguments.map.coordinates(loaded.map)));
+  run.allow(arguments.request.leeway(arguments.map.coordinates(loaded.map)));
   answer_all(run, queries_of(run, arguments, space), arguments.limits);
   give_reasons(run, arguments, space);
   print(text_of(run.comparison(), arguments.format));
@@ -316,8 +314,7 @@ Command add_compare(Parser& app) {
             "Goal, as in `wend plan`; if given several times, the goal with the lowest path cost")
       .type_name("X,Y[,HEADING]");
   add_goal_tolerance(compare, arguments->ends.tolerance);
-  arguments->leeway.add_ends_to(compare);
-  arguments->leeway.add_escape_to(compare);
+  arguments->request.add_to(compare, {"nearest", "nearest_limit", "escape", "closest"});
   compare
       .add_option(
           "--planner", arguments->planners,
@@ -345,7 +342,7 @@ Command add_compare(Parser& app) {
   compare.further({"--goal-tolerance", "--seed", "--style"});
   compare.footer(kCompareExamples);
   return {compare, [compare, arguments] {
-            arguments->leeway.check(compare);
+            arguments->request.check(compare);
             if (compare.given("--random")) {
               refuse_idle(compare, {"--goal-tolerance"}, "it needs --goal X,Y");
               refuse_idle(compare, {"--nearest", "--closest", "--escape"}, "it needs --goal X,Y");

@@ -77,7 +77,7 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
     refuse_idle(follow, {"--samples"}, "add --format json; -o FILE.json always has the samples");
   }
   arguments.trajectory.check(follow, output);
-  arguments.leeway.check(follow);
+  arguments.request.check(follow);
   if (!output.any(".gif")) refuse_idle(follow, {"--film-speed"}, "it needs -o FILE.gif");
   if (arguments.drive.compares()) {
     refuse_idle(follow, {"--controller"}, "--compare names the controllers");
@@ -105,8 +105,7 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
 
 /// For a robot that is larger by the margin: its shape for planners that choose headings, and for others the disc
 /// around it.
-FreeSpace planning_space(const FollowArguments& arguments, const FreeSpace& space) {
-  const GridMap& map = space.map();
+FreeSpaceOptions planning_robot(const FollowArguments& arguments, const GridMap& map) {
   MapArguments larger = arguments.map;
   const double per_unit = larger.coordinates(map).in_metres(1);
   const double margin = arguments.margin.value_or(kMargin / per_unit);
@@ -114,7 +113,7 @@ FreeSpace planning_space(const FollowArguments& arguments, const FreeSpace& spac
   larger.footprint = headings && arguments.path.empty()
                          ? larger.footprint.grown(margin)
                          : Footprint::disc(larger.footprint.circumscribed_radius() + margin);
-  return value_or_throw(make_free_space(space.obstacles(), larger.options(map).robot()));
+  return larger.options(map);
 }
 
 int run(const FollowArguments& arguments) {
@@ -127,8 +126,10 @@ int run(const FollowArguments& arguments) {
     arguments.output.check_not_among({arguments.path});
     arguments.trajectory.check_not_among({arguments.path});
   }
-  const FreeSpace space = arguments.map.free_space(loaded.map);
-  FollowRun run(arguments, space, planning_space(arguments, space));
+  const auto session = arguments.map.session(loaded.map, 1, 0);
+  const FreeSpace space = value_or_throw(session->view()).space;
+  session->set_robot(planning_robot(arguments, loaded.map));
+  FollowRun run(arguments, space, *session);
   if (!run.find_path()) return no_plan;
   run.drive();
   return run.report();
@@ -141,7 +142,7 @@ void add_path(Parser& app, FollowArguments& arguments) {
   add_texts(app, "--goal", arguments.ends.goals,
             "Goal; if given several times, the goal with the lowest path cost")
       .type_name("X,Y[,HEADING]");
-  arguments.leeway.add_ends_to(app);
+  arguments.request.add_others_to(app, {"escape"});
   app.add_option("--planner", arguments.planner,
                  wrapped("Planner (default astar); options may follow, as in astar:weight=2"))
       .type_name(kPlannerType);

@@ -9,7 +9,6 @@
 #include "bench/plot/drive_plot.hpp"
 #include "cli/arguments/input_files.hpp"
 #include "cli/arguments/planner_argument.hpp"
-#include "cli/output/explanations.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
@@ -20,9 +19,9 @@
 #include "wend/control/simulation.hpp"
 #include "wend/control/trajectory_tracker.hpp"
 #include "wend/io/path/path_csv.hpp"
+#include "wend/path/lead_out.hpp"
 #include "wend/path/smoothing/corner_rounding.hpp"
 #include "wend/planner/planner.hpp"
-#include "wend/session/eased_query.hpp"
 
 namespace wend::cli {
 namespace {
@@ -62,10 +61,11 @@ PlannerSpec planner_of(const FollowArguments& arguments) {
   return planner;
 }
 
-FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpace planning_space)
+FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, Session& session)
     : arguments_(arguments),
       space_(std::move(space)),
-      planning_space_(std::move(planning_space)),
+      session_(session),
+      planning_space_(value_or_throw(session.view()).space),
       coordinates_(arguments.map.coordinates(space_.map())),
       robot_(arguments.drive.robot()),
       planner_(steered()),
@@ -140,39 +140,36 @@ Path FollowRun::loaded() const {
   }
 }
 
+/// How many the planner has.
+std::uint64_t FollowRun::states() const {
+  const auto planner = session_.planner(planner_);
+  if (!planner) throw InputError(planner.error().message);
+  return (*planner)->state_count();
+}
+
 std::optional<Path> FollowRun::plan() {
   PlanRequest request = typed_request(planner_, planning_space_, coordinates_, arguments_.ends);
-  arguments_.leeway.allow(request, coordinates_);
+  arguments_.request.put(request, coordinates_);
   request.escape = simulation_.escape;
-  auto planner = info_of(planner_).make(planning_space_, planner_.options);
-  if (!planner) throw InputError(planner.error().message);
-  const GridMoves moves = (*planner)->grid_moves().value_or(GridMoves{});
+  ProgressBar progress("planning", states());
+  request.limits = arguments_.limits.limits(progress);
+  auto run = session_.begin(request);
+  if (!run) throw InputError(run.error().message);
+  const GridMoves moves = run->planner().grid_moves().value_or(GridMoves{});
   refinement_.adjacency = moves.adjacency();
-  Explainer explainer = explainer_for(planning_space_, coordinates_, moves);
-  explainer.allow(request.leeway());
-  EasedQuery eased(query_of(request, planning_space_.map().frame()), **planner, explainer,
-                   coordinates_, request.leeway());
-  const Query asked = eased.query();
-  ProgressBar progress("planning", (*planner)->state_count());
-  const Query& query = eased.query();
-  eased.query().limits = arguments_.limits.limits(progress);
-  Plan plan;
-  Status status = (*planner)->plan(query, plan);
-  if (eased.ease_goals(status)) status = (*planner)->plan(query, plan);
-  if (status == Status::found) eased.finish(plan);
-  for (const std::string& note : eased.notes()) complain(note);
-  if (status == Status::found) {
-    lead_ = eased.lead();
-    return std::move(plan.path);
+  const Query asked = run->query();
+  const auto answer = run->finish();
+  for (const std::string& note : run->notes()) complain(note);
+  if (answer) {
+    lead_ = run->lead();
+    return behind_lead(answer->plan.path, answer->lead_out ? answer->lead_out->points : 0);
   }
   const std::string margin =
       coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells());
-  const FailedPlan failed{
-      std::string(to_string(status)),
-      fmt::format("{} (these radii include the planning margin of {})",
-                  explainer.explain(**planner, query, eased.ends(request.texts),
-                                    (*planner)->failure(query, status), plan.metrics),
-                  margin)};
+  const Status status = answer.error().status;
+  const FailedPlan failed{std::string(to_string(status)),
+                          fmt::format("{} (these radii include the planning margin of {})",
+                                      answer.error().message, margin)};
   complain(failed.reason);
   write_failure(failed,
                 failure_scene(planner_, planning_space_, asked, status, moves, coordinates_));

@@ -8,10 +8,10 @@
 
 #include "cli/arguments/drive_arguments.hpp"
 #include "cli/arguments/flags.hpp"
-#include "cli/arguments/leeway_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/option_flags.hpp"
 #include "cli/arguments/refine_arguments.hpp"
+#include "cli/arguments/request_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
 #include "cli/arguments/trajectory_arguments.hpp"
 #include "cli/arguments/typed_request.hpp"
@@ -21,6 +21,7 @@
 #include "wend/planner/planners.hpp"
 #include "wend/render/picture/panels.hpp"
 #include "wend/report/drive_report.hpp"
+#include "wend/session/session.hpp"
 
 namespace wend::cli {
 
@@ -29,7 +30,7 @@ struct FollowArguments {
   EndArguments ends;  // empty where a path is read
   std::string planner = "astar";
   OptionFlags options{"planner"};
-  LeewayArguments leeway;  // without --escape, which is an option of the simulation
+  RequestArguments request;  // without --escape, which is an option of the simulation
   std::string path;
   bool loop = false;
   std::optional<double> margin;  // in the user's units
@@ -50,9 +51,9 @@ PlannerSpec planner_of(const FollowArguments& arguments);
 
 class FollowRun {
  public:
-  /// The free space of the robot, and that for planning with a margin around it. Throws InputError for
-  /// options out of range.
-  FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpace planning_space);
+  /// The free space of the robot, and a session that plans with a margin around it, which outlives this. Throws
+  /// InputError for options out of range.
+  FollowRun(const FollowArguments& arguments, FreeSpace space, Session& session);
 
   /// Finds the path. If there is no path, says so and returns false.
   bool find_path();
@@ -64,6 +65,7 @@ class FollowRun {
 
  private:
   PlannerSpec steered() const;
+  std::uint64_t states() const;
   std::optional<Path> plan();
   void check_drivable(const Path& path) const;
   SampledTrajectory timed_path() const;
@@ -78,7 +80,8 @@ class FollowRun {
 
   const FollowArguments& arguments_;
   FreeSpace space_;
-  FreeSpace planning_space_;
+  Session& session_;
+  FreeSpace planning_space_;  // of the session
   Coordinates coordinates_;
   MotionModel robot_;
   PlannerSpec planner_;

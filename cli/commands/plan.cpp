@@ -111,7 +111,7 @@ bool is_csv_alone(const PlanArguments& arguments) {
 
 /// Throws InputError for flags that were given and change nothing.
 void check_idle(const Parser& plan, const PlanArguments& arguments) {
-  arguments.leeway.check(plan);
+  arguments.request.check(plan);
   const OutputFiles& output = arguments.output;
   if (!arguments.queries.empty()) {
     refuse_idle(plan,
@@ -228,16 +228,16 @@ Command add_plan(Parser& app) {
             "heading may be left out or any")
       .type_name("X,Y[,HEADING]");
   add_goal_tolerance(plan, arguments->ends.tolerance);
-  plan.add_option("--queries", arguments->queries,
-                  wrapped("Answer every row of a CSV file instead. Its header names the columns "
-                          "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
-                          "status, a reason and the cost and length of the path"))
+  plan.add_option(
+          "--queries", arguments->queries,
+          wrapped("Answer every row of a CSV file instead. Its header names the columns "
+                  "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
+                  "status, a reason and the cost and length of the path; limits are of each row"))
       .type_name(kFileType);
   add_count(
       plan, "--threads", arguments->threads,
       "Number of threads that answer --queries, each with its own planner (default: all cores)");
-  arguments->leeway.add_ends_to(plan);
-  arguments->leeway.add_escape_to(plan);
+  arguments->request.add_others_to(plan);
   plan.add_option("--planner", arguments->planner,
                   wrapped("Planner (default astar); `wend planners` lists all. Options may follow, "
                           "as in astar:weight=2"))

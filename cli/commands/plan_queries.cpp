@@ -81,7 +81,7 @@ QueryAnswer QueryBatch::answer(const QueryRow& row) const {
 void QueryBatch::ask(QueryAnswer& answer) const {
   PlanRequest request = typed_request(planner_, view_.space, coordinates_,
                                       {answer.start, {answer.goal}, arguments_.ends.tolerance});
-  arguments_.leeway.allow(request, coordinates_);
+  arguments_.request.put(request, coordinates_);
   request.limits = arguments_.limits.limits();
   request.explain = false;
   auto run = session_.begin(view_, request);

@@ -70,7 +70,7 @@ PlanRun::PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec p
   request_.refinement = arguments.refine.refinement(coordinates_);
   request_.corner_rounding = arguments.refine.rounding(coordinates_);
   if (arguments.trajectory.wanted()) request_.trajectory = arguments.trajectory.limits();
-  arguments.leeway.allow(request_, coordinates_);
+  arguments.request.put(request_, coordinates_);
   if (!poses || !request_.refinement.simplify) return;
   throw InputError(fmt::format(
       "--simplify supports grid planners only: the path of the planner {} consists of arcs",

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "cli/arguments/flags.hpp"
-#include "cli/arguments/leeway_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/option_flags.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/arguments/refine_arguments.hpp"
+#include "cli/arguments/request_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
 #include "cli/arguments/trajectory_arguments.hpp"
 #include "cli/arguments/typed_request.hpp"
@@ -40,7 +40,7 @@ struct PlanArguments {
   std::string index;
   OptionFlags options{"planner"};
   LimitArguments limits;
-  LeewayArguments leeway;
+  RequestArguments request;
   TableFormat format = TableFormat::text;
   RefineArguments refine;
   TrajectoryArguments trajectory;

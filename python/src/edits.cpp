@@ -24,11 +24,15 @@ namespace {
 using Boxes = std::vector<std::tuple<int, int, int, int>>;
 
 Boxes changed_by(Space& space, const MapEdit& edit) {
-  const nb::gil_scoped_release unlocked;
-  const SpaceChange change = space.edit(edit);
+  Interrupts interrupts;
+  Limits limits;
+  interrupts.watch(limits);
+  auto edited = unlocked([&] { return space.edit(edit, Deadline(limits)); });
+  interrupts.throw_if_interrupted();
+  const SpaceChange change = value_or_throw(std::move(edited));
   Boxes boxes;
   if (change.everything) {
-    const FreeSpace now = value_or_throw(space.session().view()).space;
+    const FreeSpace now = space.view().space;
     boxes.emplace_back(0, 0, now.width(), now.height());
   }
   for (const CellBox& box : change.boxes) {

@@ -181,11 +181,14 @@ nb::dict follow(const Planned& plan, const std::optional<std::string>& controlle
   if (const auto unfit = why_unfit(*info, model)) {
     throw_failure(Status::invalid_option, *unfit, "controller");
   }
-  Drive drive;
-  {
-    const nb::gil_scoped_release unlocked;
-    drive = simulate(plan.answer.space, plan.path(), *made, model, simulation, follower);
-  }
+  Interrupts interrupts;
+  Limits limits;
+  interrupts.watch(limits);
+  const Drive drive = unlocked([&] {
+    return simulate(plan.answer.space, plan.path(), *made, model, simulation, follower,
+                    Deadline(limits));
+  });
+  interrupts.throw_if_interrupted();
   if (drive.outcome == DriveOutcome::refused) {
     throw_failure(Status::invalid_option, drive.refusal, "plan");
   }

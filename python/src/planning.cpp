@@ -23,9 +23,8 @@
 #include "python/src/trace.hpp"
 #include "wend/base/thread_workers.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/session/eased_query.hpp"
-#include "wend/session/explainer.hpp"
 #include "wend/session/request_fields.hpp"
+#include "wend/session/search_run.hpp"
 
 namespace nb = nanobind;
 
@@ -202,97 +201,63 @@ nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& g
 /// The search of an anytime planner, which goes on when its next path is asked for.
 class Solutions {
  public:
-  Solutions(FreeSpace space, PlanRequest request)
-      : space_(std::move(space)), request_(std::move(request)) {
+  Solutions(const Space& space, Session::View view, PlanRequest request)
+      : space_(nb::find(space)), view_(std::move(view)), request_(std::move(request)) {
+    request_.explain = false;
     interrupts_.watch(request_.limits);
-    request_.on_solution = [this](const Plan& /*plan*/) { told_ = true; };
-    auto made = unlocked([this] {
-      return make_planner(request_.planner.name, space_, request_.planner.options,
-                          Deadline(request_.limits));
-    });
+    auto planner = unlocked(
+        [&] { return space.session().planner(request_.planner, Deadline(request_.limits)); });
     interrupts_.throw_if_interrupted();
-    planner_ = value_or_throw(std::move(made));
-    if (!planner_->anytime()) {
-      throw_failure(Status::invalid_option,
-                    request_.planner.name + " is not an anytime planner: it finds one path",
-                    "planner");
-    }
-    const Units units(space_.map());
-    explainer_.emplace(space_, units, planner_->grid_moves().value_or(GridMoves{}), Hints{});
-    explainer_->allow(request_.leeway());
-    eased_.emplace(query_of(request_, space_.map().frame()), *planner_, *explainer_, units,
-                   request_.leeway());
+    if (value_or_throw(std::move(planner))->anytime()) return;
+    throw_failure(Status::invalid_option,
+                  request_.planner.name + " is not an anytime planner: it finds one path",
+                  "planner");
   }
 
-  /// The next path; nothing after the last one. Throws Failed if there is none at all.
+  /// The next path; nothing after the last one. Raises NoPath if there is none at all.
   std::optional<Planned> next() {
     if (over_) return std::nullopt;
-    told_ = false;
-    std::optional<Status> outcome;
-    {
-      const nb::gil_scoped_release unlocked;
-      outcome = to_next_path();
-    }
+    const Space& space = nb::cast<const Space&>(space_);
+    auto answer = unlocked([&] { return to_next_path(space.session()); });
     interrupts_.throw_if_interrupted();
-    over_ = outcome.has_value();
-    if (outcome && *outcome != Status::found) {
-      throw Failed(PlanFailure{
-          {*outcome,
-           explainer_->words(planner_->failure(eased_->query(), *outcome), plan_.metrics)},
-          plan_.metrics});
-    }
-    if (!told_) return std::nullopt;
-    return answer();
+    over_ = !answer || !*answer;
+    if (!answer && is_limit(answer.error().status)) throw Failed(answer.error());
+    if (!answer) raise_unexplained(space, view_, request_, answer.error());
+    found_ = true;
+    if (over_) return std::nullopt;
+    return Planned{**std::move(answer)};
   }
 
  private:
-  std::optional<Status> to_next_path() {
-    if (begun_) return search({});
-    begun_ = true;
-    auto outcome = search(planner_->begin(eased_->query(), plan_));
-    const bool failed = outcome && *outcome != Status::found;
-    if (failed && eased_->ease_goals(*outcome)) {
-      outcome = search(planner_->begin(eased_->query(), plan_));
+  /// The limit on time begins with the first path.
+  Expected<std::optional<PlanAnswer>, RequestFailure> to_next_path(Session& session) {
+    if (!run_) {
+      auto begun = session.begin(view_, request_);
+      if (!begun) return Unexpected<RequestFailure>(std::move(begun.error()));
+      run_.emplace(*std::move(begun));
     }
-    return outcome;
+    auto answer = run_->next_solution();
+    if (answer || found_) return answer;
+    auto whole = run_->finish();
+    if (!whole) return Unexpected<RequestFailure>(std::move(whole.error()));
+    return *std::move(whole);
   }
 
-  std::optional<Status> search(std::optional<Status> outcome) {
-    while (!outcome && !told_) outcome = planner_->step(plan_);
-    return outcome;
-  }
-
-  Planned answer() const {
-    EasedQuery eased = *eased_;  // each path has its own notes
-    PlanAnswer answer{.space = space_, .plan = plan_, .moves = planner_->grid_moves()};
-    eased.finish(answer.plan);
-    answer.notes = eased.notes();
-    answer.lead_out = eased.lead_out();
-    if (const auto remaining = eased.remaining()) {
-      answer.remaining = *remaining * space_.map().frame().resolution;
-    }
-    finish_path(answer, request_, eased.lead());
-    return {std::move(answer)};
-  }
-
-  FreeSpace space_;
+  nb::object space_;  // a Space
+  Session::View view_;
   PlanRequest request_;
   Interrupts interrupts_;
-  std::unique_ptr<Planner> planner_;
-  std::optional<Explainer> explainer_;
-  std::optional<EasedQuery> eased_;
-  Plan plan_;
-  bool begun_ = false;
-  bool told_ = false;
+  std::optional<SearchRun> run_;  // nothing before the first path is asked for
+  bool found_ = false;
   bool over_ = false;
 };
 
 std::unique_ptr<Solutions> solutions(const Space& space, nb::handle start, const nb::list& goals,
                                      std::string planner, const nb::dict& options,
                                      const nb::dict& fields) {
-  const FreeSpace free = space.view().space;
-  return std::make_unique<Solutions>(
-      free, request_of(start, goals, {std::move(planner), options, fields}, free));
+  Session::View view = space.view();
+  PlanRequest request = request_of(start, goals, {std::move(planner), options, fields}, view.space);
+  return std::make_unique<Solutions>(space, std::move(view), std::move(request));
 }
 
 /// Name, other names, kind, unit, default and meaning of each field of a request.

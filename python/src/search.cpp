@@ -14,8 +14,7 @@
 #include "python/src/plan.hpp"
 #include "python/src/registry.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/session/eased_query.hpp"
-#include "wend/session/explainer.hpp"
+#include "wend/session/session.hpp"
 
 namespace nb = nanobind;
 
@@ -24,15 +23,14 @@ namespace {
 
 constexpr const char* kWorld = "world_state";
 
-FreeSpace space_of(nb::handle world) {
+GridMap map_of(nb::handle world) {
   Planes planes;
   if (!read_rows(world, kWorld, planes)) {
     const nb::object array = nb::module_::import_("wend._arrays").attr("numbers_of")(world, kWorld);
     planes = planes_of(array, kWorld);
   }
   return unlocked([&] {
-    return value_or_throw(make_free_space(
-        value_or_throw(make_grid_map(std::move(planes.occupied), std::move(planes.unknown)))));
+    return value_or_throw(make_grid_map(std::move(planes.occupied), std::move(planes.unknown)));
   });
 }
 
@@ -50,7 +48,7 @@ int index_of(nb::handle pose, Py_ssize_t i, const std::string& name) {
 }
 
 /// The cell of a pose: (x, y), or (row, column).
-Cell cell_of(nb::handle pose, const std::string& name, bool row_first, const FreeSpace& space) {
+Cell cell_of(nb::handle pose, const std::string& name, bool row_first, const GridMap& map) {
   if (PySequence_Check(pose.ptr()) == 0 || PySequence_Size(pose.ptr()) != 2) {
     PyErr_Clear();
     throw_failure(Status::invalid_option, name + " must be a tuple of two integers", name);
@@ -58,12 +56,12 @@ Cell cell_of(nb::handle pose, const std::string& name, bool row_first, const Fre
   const int first = index_of(pose, 0, name);
   const int second = index_of(pose, 1, name);
   const Cell cell = row_first ? Cell{second, first} : Cell{first, second};
-  if (!space.contains(cell)) {
+  if (!map.contains(cell)) {
     const bool start = name == "robot_pose";
     throw_failure(start ? Status::start_outside : Status::goal_outside,
                   name + " is outside the map, which has x from 0 to " +
-                      std::to_string(space.width() - 1) + " and y from 0 to " +
-                      std::to_string(space.height() - 1),
+                      std::to_string(map.width() - 1) + " and y from 0 to " +
+                      std::to_string(map.height() - 1),
                   name);
   }
   return cell;
@@ -75,13 +73,6 @@ nb::list tuples_of(std::span<const Cell> cells, bool row_first) {
     tuples.append(row_first ? nb::make_tuple(cell.y, cell.x) : nb::make_tuple(cell.x, cell.y));
   }
   return tuples;
-}
-
-/// Lengths are in cells.
-Leeway leeway_of(double escape, bool closest) {
-  const Leeway leeway{escape, false, {}, closest};
-  if (auto fault = fault_of(leeway)) throw Failed(*std::move(fault));
-  return leeway;
 }
 
 bool means_no_path(Status status) {
@@ -115,39 +106,30 @@ void check_steps(const Planner& planner, const std::string& name, int connectivi
 nb::object search(nb::handle world, nb::handle robot_pose, nb::handle goal_pose,
                   const std::string& planner, bool row_first, int connectivity, double escape,
                   bool closest, const nb::dict& options) {
-  const Leeway leeway = leeway_of(escape, closest);
-  const PlannerSpec spec = spec_of(planner, connectivity, options);
-  const FreeSpace space = space_of(world);
-  const Cell start = cell_of(robot_pose, "robot_pose", row_first, space);
-  const Cell goal = cell_of(goal_pose, "goal_pose", row_first, space);
+  PlanRequest request{.planner = spec_of(planner, connectivity, options),
+                      .escape = escape,
+                      .closest = closest,
+                      .explain = false,
+                      .coordinates = MapUnits::cells};
+  if (auto fault = fault_of(request.leeway())) throw Failed(*std::move(fault));
+  GridMap map = map_of(world);
+  const Query query = Query::between(cell_of(robot_pose, "robot_pose", row_first, map),
+                                     cell_of(goal_pose, "goal_pose", row_first, map));
+  const Point goal = query.goals.front().point;
+  request.start = {query.start.x, query.start.y, 0};
+  request.goals = {{.point = {goal.x, goal.y}}};
   Interrupts interrupts;
-  Limits limits;
-  interrupts.watch(limits);
-  auto making =
-      unlocked([&] { return make_planner(spec.name, space, spec.options, Deadline(limits)); });
+  interrupts.watch(request.limits);
+  Session session(std::move(map));
+  auto run = unlocked([&] { return session.begin(request); });
   interrupts.throw_if_interrupted();
-  const auto made = value_or_throw(std::move(making));
-  check_steps(*made, planner, connectivity);
-  const Units units(space.map());
-  const Explainer explainer(space, units, made->grid_moves().value_or(GridMoves{}), {});
-  Query query = Query::between(start, goal);
-  query.limits = limits;
-  Plan plan;
-  Status status = Status::found;
-  {
-    const nb::gil_scoped_release unlocked;
-    EasedQuery eased(std::move(query), *made, explainer, units, leeway);
-    status = made->plan(eased.query(), plan);
-    if (eased.ease_goals(status)) status = made->plan(eased.query(), plan);
-    if (status == Status::found) begin_with(eased.lead(), plan, space.map().frame());
-    query = eased.query();
-  }
+  if (!run) throw Failed(Error(std::move(run.error())));
+  check_steps(run->planner(), planner, connectivity);
+  auto answer = unlocked([&] { return run->finish(); });
   interrupts.throw_if_interrupted();
-  if (means_no_path(status)) return nb::none();
-  if (status != Status::found) {
-    throw_failure(status, explainer.words(made->failure(query, status), plan.metrics), "");
-  }
-  return tuples_of(plan.path.cells(), row_first);
+  if (answer) return tuples_of(answer->path().cells(), row_first);
+  if (means_no_path(answer.error().status)) return nb::none();
+  throw Failed(Error(std::move(answer.error())));
 }
 
 }  // namespace

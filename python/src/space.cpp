@@ -263,19 +263,17 @@ Session::View Space::view() const {
   return value_or_throw(session_->view());
 }
 
-SpaceChange Space::edit(const MapEdit& edit) {
+Expected<SpaceChange, Error> Space::edit(const MapEdit& edit, const Deadline& deadline) {
   {
     const std::lock_guard lock(mutex_);
     view_.reset();
   }
-  auto change = session_->edit(edit);
+  auto change = session_->edit(edit, deadline);
   auto now = session_->view();
-  {
-    const std::lock_guard lock(mutex_);
-    const bool newer = now && (!view_ || view_->version < now->version);
-    if (newer) view_ = *std::move(now);
-  }
-  return value_or_throw(std::move(change));
+  const std::lock_guard lock(mutex_);
+  const bool newer = now && (!view_ || view_->version < now->version);
+  if (newer) view_ = *std::move(now);
+  return change;
 }
 
 void bind_space(nb::module_& module) {

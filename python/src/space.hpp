@@ -24,9 +24,9 @@ class Space {
   /// The free space as it is now. The caller holds the interpreter lock, which another thread may take meanwhile.
   Session::View view() const;
 
-  /// Edits the map, in place if no view is held elsewhere. The caller does not hold the interpreter lock. Throws
-  /// Failed.
-  SpaceChange edit(const MapEdit& edit);
+  /// Edits the map, in place if no view is held elsewhere. The caller does not hold the interpreter lock. Fails as
+  /// Session::edit() does.
+  Expected<SpaceChange, Error> edit(const MapEdit& edit, const Deadline& deadline);
 
  private:
   std::unique_ptr<Session> session_;

@@ -150,6 +150,36 @@ def test_a_signal_stops_smoothing_and_timing() -> None:
     assert plan.smooth().trajectory().duration > 0
 
 
+def test_a_signal_stops_an_edit_which_then_changes_nothing() -> None:
+    # The first is made anew because its robot needs all distances, the second because it changes many cells.
+    for clearance, size in ((100.0, 1), (2.0, 3999)):
+        space = wend.Map(OPEN).free_space(clearance_distance=clearance)
+        box = np.ones((size, size), dtype=np.int8)
+        with pytest.raises(Alarm), alarm():
+            space.edit((1, 1), box)
+        assert space.fits((1.5, 1.5))
+        space.edit((1, 1), [[1]])
+        assert not space.fits((1.5, 1.5))
+
+
+def test_a_signal_stops_follow() -> None:
+    plan = wend.Map(WALLED).free_space().plan(START, (1390.5, 1490.5))
+    begun = time.process_time()
+    wend.follow(plan, simulation={"rate": 1000.0})
+    takes = time.process_time() - begun
+    begun = time.process_time()
+    with pytest.raises(Alarm), alarm():
+        wend.follow(plan, simulation={"rate": 1000.0})
+    assert time.process_time() - begun < takes / 2
+
+
+def test_a_signal_stops_the_explanation_of_a_drive() -> None:
+    space = wend.Map(WALLED[:400, 1200:]).free_space("rect:3x2")
+    with pytest.raises(Alarm), alarm():
+        while True:
+            space.explain_drive((5.5, 5.5, 0.0), (250.5, 5.5, 0.0), turning_radius=100.0)
+
+
 def lets_others_run(call: Callable[[], object]) -> bool:
     """Does another thread get the interpreter lock during a call? None takes it from a thread that does not give it
     away: the interval of switches is longer than all calls."""
@@ -190,6 +220,7 @@ def test_who_keeps_the_interpreter_lock_is_found_out() -> None:
 
 LARGE = np.zeros((1500, 1500), dtype=np.int8)
 LARGE[::7, ::5] = 1
+EDITED = np.argwhere(LARGE[:200] == 1)[:, ::-1]
 
 
 def calls_that_take_long() -> dict[str, Callable[[], object]]:
@@ -216,6 +247,9 @@ def calls_that_take_long() -> dict[str, Callable[[], object]]:
         "samples": lambda: trajectory.samples(0.01),
         "quality": lambda: plan.quality(),
         "follow": lambda: wend.follow(plan),
+        "edit": lambda: space.edit((0, 0), LARGE),
+        "edit_cells": lambda: space.edit_cells(EDITED, 1),
+        "explain_drive": lambda: space.explain_drive((1.5, 1.5, 0.0), (2.5, 1.5, 0.0)),
     }
 
 

@@ -9,16 +9,14 @@ import os
 import pathlib
 import zlib
 from importlib import resources
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from ._errors import InvalidArgument
 from ._film import gif_of
-
-if TYPE_CHECKING:
-    from ._trace import Trace
+from ._recorded import Recorded
 
 __all__ = ["Animation"]
 
@@ -37,12 +35,13 @@ class Animation:
     the colours show.
     """
 
-    __slots__ = ("_layer", "_step", "_trace")
+    __slots__ = ("_layer", "_outcome", "_search", "_step")
 
-    def __init__(self, trace: Trace, layer: Layer, step: int) -> None:
+    def __init__(self, search: Recorded, outcome: str, layer: Layer, step: int) -> None:
         if layer not in LAYERS:
             raise InvalidArgument(f"layer is {layer!r}: use one of {', '.join(LAYERS)}", "invalid_option", "layer")
-        self._trace = trace
+        self._search = search
+        self._outcome = outcome
         self._layer = layer
         self._step = step
 
@@ -50,7 +49,7 @@ class Animation:
     def html(self) -> str:
         """The page: HTML that refers to nothing outside of it."""
         page = (resources.files("wend") / "_animation.html").read_text(encoding="utf-8")
-        data = json.dumps(_search_of(self._trace, self._layer, self._step)).replace("<", "\\u003c")
+        data = json.dumps(_search_of(self._search, self._outcome, self._layer, self._step)).replace("<", "\\u003c")
         return page.replace("__SEARCH__", data)
 
     def save(self, file: str | os.PathLike[str]) -> None:
@@ -69,13 +68,13 @@ class Animation:
         if path.suffix == ".html":
             path.write_text(self.html, encoding="utf-8")
         elif path.suffix == ".gif":
-            path.write_bytes(gif_of(self._trace, self._layer))
+            path.write_bytes(gif_of(self._search, self._layer))
         else:
             raise InvalidArgument(f"{path.name} must end in .html or .gif", "invalid_option", "path")
 
     def _repr_html_(self) -> str:
         """A frame, so that neither its styles nor its names meet those of the notebook."""
-        map = self._trace.map
+        map = self._search.map
         height = min(_CELL, _WIDTH / map.width, _HEIGHT / map.height) * map.height + _CONTROLS
         return (
             f'<iframe srcdoc="{html.escape(self.html)}" sandbox="allow-scripts" title="A search, step by step" '
@@ -83,29 +82,28 @@ class Animation:
         )
 
     def __repr__(self) -> str:
-        return f"<wend.Animation of {len(self._trace.order)} steps>"
+        return f"<wend.Animation of {len(self._search.order)} steps>"
 
 
-def _search_of(trace: Trace, layer: str, step: int) -> dict[str, Any]:
+def _search_of(search: Recorded, outcome: str, layer: str, step: int) -> dict[str, Any]:
     """What _animation.html reads. The columns are little-endian, in the order of its unpack()."""
-    rows, columns = trace.expansion.shape
-    plan = trace.plan
-    numbers = [_indices(trace._cells, columns), _indices(trace._parents, columns), *trace._costs.T.astype("<f4")]
-    states = np.where(trace.map.array < 0, 2, trace.map.array).astype(np.uint8)
-    data = b"".join([*(column.tobytes() for column in numbers), trace._kinds.tobytes(), states.tobytes()])
+    rows, columns = search.shape
+    numbers = [_indices(search.cells, columns), _indices(search.parents, columns), *search.costs.T.astype("<f4")]
+    states = np.where(search.states < 0, 2, search.states).astype(np.uint8)
+    data = b"".join([*(column.tobytes() for column in numbers), search.kinds.tobytes(), states.tobytes()])
     return {
-        "width": trace.map.width,
-        "height": trace.map.height,
-        "y_up": trace.map.y_up,
+        "width": search.map.width,
+        "height": search.map.height,
+        "y_up": search.map.y_up,
         "rows": rows,
         "columns": columns,
-        "headings": bool(np.isfinite(trace._headings).any()),
-        "vertices": trace._on_corners,
+        "headings": bool(np.isfinite(search.headings).any()),
+        "vertices": search.on_corners,
         "layer": layer,
         "step": step,
-        "events": len(trace),
-        "path": None if plan is None else plan._inner.points().tolist(),
-        "outcome": f"Path found, cost {plan.cost:.6g}." if plan is not None else str(trace.failure),
+        "events": len(search.kinds),
+        "path": None if search.path is None else search.path.tolist(),
+        "outcome": outcome,
         "data": base64.b64encode(zlib.compress(data)).decode(),
     }
 

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from ._arrays import Pose, text_of
+from ._map import Map
+from ._space import FreeSpace
 from ._types import named_types
-
-if TYPE_CHECKING:
-    from ._map import Map
-    from ._space import FreeSpace
 
 __all__ = ["Exploration", "explore"]
 
@@ -79,8 +77,6 @@ def explore(
     >>> drive.arrived, drive.plans, drive.cells.tolist()[-1]
     (True, 2, [0, 2])
     """
-    from ._map import Map
-
     core = None if known is None else known._inner
     result = space._inner.explore(start, goal, planner, text_of(options), sensor_range, core, replan, keep)
     result["known"] = Map._of(result["known"])

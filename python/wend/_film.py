@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ._pictures import EXPANDED, FRONTIER, PALETTE, drawn, heat_colours
-
-if TYPE_CHECKING:
-    from ._trace import Trace
+from ._recorded import Recorded
 
 __all__ = ["gif_of"]
 
@@ -28,36 +26,36 @@ _HEAT, _HEATS = 9, 128
 Picture = npt.NDArray[np.uint8]
 
 
-def gif_of(trace: Trace, layer: str) -> bytes:
+def gif_of(search: Recorded, layer: str) -> bytes:
     """The bytes of a GIF: the search from its first to its last expansion, and then its path."""
     try:
         from PIL import Image
     except ImportError as error:
         raise ImportError("a GIF needs Pillow: pip install pillow") from error
     colours = [*PALETTE[:3], EXPANDED, FRONTIER, *PALETTE[3:], *heat_colours(_HEATS)]
-    rows, columns = trace.map.array.shape
+    rows, columns = search.states.shape
     scale = max(1, min(16, _LONGEST_SIDE // max(rows, columns)))
     images = []
-    for frame in _frames(trace, layer):
-        pixels = np.kron(drawn(trace.map, frame), np.ones((scale, scale), dtype=np.uint8))
+    for frame in _frames(search, layer):
+        pixels = np.kron(drawn(search.map, frame), np.ones((scale, scale), dtype=np.uint8))
         image = Image.fromarray(pixels)
         image.putpalette([channel for colour in colours for channel in colour])
         images.append(image)
-    _draw_path(trace, images[-1], scale)
+    _draw_path(search, images[-1], scale)
     durations = [max(20, 1000 * _SECONDS // len(images))] * (len(images) - 1) + [_STILL]
     file = io.BytesIO()
     images[0].save(file, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0, optimize=False)
     return file.getvalue()
 
 
-def _frames(trace: Trace, layer: str) -> Iterator[Picture]:
+def _frames(search: Recorded, layer: str) -> Iterator[Picture]:
     """The numbers of colours of all cells, after some of the steps."""
-    kinds, cells = trace._kinds, trace._cells
+    kinds, cells = search.kinds, search.cells
     expansions = np.flatnonzero(kinds == 1)
     ends = np.append(expansions, len(kinds))
-    rows, columns = trace.map.array.shape
-    paint = _paint_of(trace, layer)
-    picture = np.where(trace.map.array < 0, 2, trace.map.array).astype(np.uint8)
+    rows, columns = search.states.shape
+    paint = _paint_of(search, layer)
+    picture = np.where(search.states < 0, 2, search.states).astype(np.uint8)
     inside = (cells[:, 0] < columns) & (cells[:, 1] < rows)
     begin = 0
     for step in np.unique(np.linspace(0, len(expansions), _MOST_FRAMES).astype(int)).tolist():
@@ -71,20 +69,20 @@ def _frames(trace: Trace, layer: str) -> Iterator[Picture]:
         yield frame
 
 
-def _paint_of(trace: Trace, layer: str) -> Any:
+def _paint_of(search: Recorded, layer: str) -> Any:
     """A function that shows some events in a picture."""
-    cells = trace._cells
+    cells = search.cells
 
     def paint_search(picture: Picture, events: npt.NDArray[np.int64]) -> None:
         x, y = cells[events].T
-        expanded = trace._kinds[events] == 1
+        expanded = search.kinds[events] == 1
         reached = ~expanded & (picture[y, x] != _EXPANDED)
         picture[y[reached], x[reached]] = _FRONTIER
         picture[y[expanded], x[expanded]] = _EXPANDED
 
     if layer == "search":
         return paint_search
-    values = trace._costs[:, "ghf".index(layer)]
+    values = search.costs[:, "ghf".index(layer)]
     finite = np.isfinite(values)
     least, greatest = (values[finite].min(), values[finite].max()) if finite.any() else (0, 0)
     shares = np.where(finite, values - least, 0) / max(greatest - least, 1e-300)
@@ -98,14 +96,14 @@ def _paint_of(trace: Trace, layer: str) -> Any:
     return paint_heat
 
 
-def _draw_path(trace: Trace, image: Any, scale: int) -> None:
-    if trace.plan is None:
+def _draw_path(search: Recorded, image: Any, scale: int) -> None:
+    points = search.path
+    if points is None:
         return
     from PIL import ImageDraw
 
-    points = trace.plan._inner.points()
-    if trace.map.y_up:
-        points = points * (1, -1) + (0, trace.map.height)
+    if search.map.y_up:
+        points = points * (1, -1) + (0, search.map.height)
     pen = ImageDraw.Draw(image)
     corners = [(float(x), float(y)) for x, y in points * scale]
     pen.line(corners, fill=_PATH, width=max(2, scale // 4), joint="curve")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, Union
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -14,8 +14,10 @@ from . import _core
 from ._arrays import Pose, numbers_of
 from ._errors import InvalidArgument
 from ._pictures import colours_of, drawn, plot, png_of
-from ._space import FreeSpace
 from ._types import named_types
+
+if TYPE_CHECKING:
+    from ._space import FreeSpace
 
 __all__ = ["Map"]
 
@@ -52,6 +54,7 @@ class Map:
     __slots__ = ("_array", "_inner", "_costs", "_notes")
 
     _inner: _core.Map
+    _space_of: ClassVar[Callable[[Map, _core.Space], FreeSpace]]  # _space.py, which knows both, sets it
     _array: npt.NDArray[np.int8] | None
     _costs: npt.NDArray[np.float64] | None
     _notes: tuple[str, ...]
@@ -315,16 +318,16 @@ class Map:
         if isinstance(warm, int) and warm < 0:
             raise InvalidArgument("warm must be at least 0", "invalid_option", "warm")
         core = _core.make_space(self._inner, shape, unknown, outside, clearance_distance, clearance_cost, warm)
-        return FreeSpace(self, core)
+        return Map._space_of(self, core)
 
     def plot(self, ax: Any = None) -> Any:
         """Draws the map with matplotlib, in cells, and returns the axes; None: on new ones. The cell (x, y) covers x to
         x + 1 and y to y + 1. Needs matplotlib."""
-        return plot(self, colours_of(self.array), None, ax)
+        return plot(self._inner, colours_of(self.array), None, ax)
 
     def _repr_png_(self) -> bytes:
         """The map as a notebook shows it, a pixel a cell."""
-        return png_of(drawn(self, colours_of(self.array)))
+        return png_of(drawn(self._inner, colours_of(self.array)))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Map):

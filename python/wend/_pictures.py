@@ -6,13 +6,12 @@ from __future__ import annotations
 import base64
 import struct
 import zlib
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-if TYPE_CHECKING:
-    from ._map import Map
+from . import _core
 
 __all__ = ["PALETTE", "colours_of", "heat_colours", "plot", "png_of", "svg_of"]
 
@@ -67,12 +66,12 @@ def png_of(colours: Colours) -> bytes:
     )
 
 
-def drawn(map: Map, layer: npt.NDArray[Any]) -> npt.NDArray[Any]:
+def drawn(map: _core.Map, layer: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """A layer with its rows from the top down, as the map is drawn."""
     return layer[::-1] if map.y_up else layer
 
 
-def plot(map: Map, colours: Colours, points: npt.NDArray[np.float64] | None, ax: Any) -> Any:
+def plot(map: _core.Map, colours: Colours, points: npt.NDArray[np.float64] | None, ax: Any) -> Any:
     """Draws the cells and a path through points, in grid coordinates, on matplotlib's axes; None: on new ones."""
     if ax is None:
         import matplotlib.pyplot
@@ -90,7 +89,7 @@ def plot(map: Map, colours: Colours, points: npt.NDArray[np.float64] | None, ax:
     return ax
 
 
-def svg_of(map: Map, colours: Colours, points: npt.NDArray[np.float64] | None) -> str:
+def svg_of(map: _core.Map, colours: Colours, points: npt.NDArray[np.float64] | None) -> str:
     """The cells in these colours, and a path through points in grid coordinates."""
     width, height = map.width, map.height
     scale = min(24.0, _WIDTH / width)

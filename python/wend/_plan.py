@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -12,11 +12,9 @@ from . import _core
 from ._arrays import text_of
 from ._errors import Metrics
 from ._listed import Listed
+from ._map import Map
 from ._pictures import colours_of, plot, svg_of
 from ._types import named_types
-
-if TYPE_CHECKING:
-    from ._map import Map
 
 __all__ = ["Drive", "LeadOut", "Plan", "Quality", "Trajectory", "follow"]
 
@@ -65,8 +63,6 @@ class Plan:
     def map(self) -> Map:
         """The map that it was planned on."""
         if self._map is None:
-            from ._map import Map
-
             self._map = Map._of(self._inner.map())
         return self._map
 
@@ -229,11 +225,11 @@ class Plan:
     def plot(self, ax: Any = None) -> Any:
         """Draws the path on its map with matplotlib, in cells, and returns the axes; None: on new ones. Needs
         matplotlib."""
-        return plot(self.map, colours_of(self.map.array), self._inner.points(), ax)
+        return plot(self.map._inner, colours_of(self.map.array), self._inner.points(), ax)
 
     def _repr_svg_(self) -> str:
         """The path on its map, as a notebook shows it."""
-        return svg_of(self.map, colours_of(self.map.array), self._inner.points())
+        return svg_of(self.map._inner, colours_of(self.map.array), self._inner.points())
 
     def __len__(self) -> int:
         return len(self.path)

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Pose, checked_threads, goals_of, numbers_of, text_of
 from ._errors import Error, InvalidArgument, NoPath
+from ._map import Map
 from ._plan import Plan
 from ._progress import progress_bar
 from ._trace import Trace
@@ -19,7 +20,6 @@ from ._types import named_types
 
 if TYPE_CHECKING:
     from ._index import Index
-    from ._map import Map
 
 __all__ = ["DriveExplanation", "Explanation", "FreeSpace", "Way"]
 
@@ -112,8 +112,6 @@ class FreeSpace:
         """The map as it is now."""
         kept = self._map
         if kept is None or kept[0] != self._inner.version:
-            from ._map import Map
-
             version, core = self._inner.map()
             kept = self._map = (version, Map._of(core))
         return kept[1]
@@ -547,3 +545,6 @@ def _no_path(answer: Error) -> NoPath:
     if isinstance(answer, NoPath):
         return answer
     raise answer
+
+
+Map._space_of = FreeSpace

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Literal, NamedTuple, cast
+from typing import Literal, NamedTuple, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -13,11 +13,10 @@ import numpy.typing as npt
 from . import _core
 from ._animation import Animation, Layer
 from ._errors import NoPath
+from ._map import Map
 from ._pictures import EXPANDED, FRONTIER, colours_of, svg_of
 from ._plan import Plan
-
-if TYPE_CHECKING:
-    from ._map import Map
+from ._recorded import Recorded
 
 __all__ = ["Event", "Trace"]
 
@@ -59,20 +58,7 @@ class Trace:
     [('generate', (0, 0)), ('expand', (0, 0))]
     """
 
-    __slots__ = (
-        "_cells",
-        "_costs",
-        "_ends",
-        "_headings",
-        "_kinds",
-        "_on_corners",
-        "_parents",
-        "_shape",
-        "_ways",
-        "failure",
-        "map",
-        "plan",
-    )
+    __slots__ = ("_ends", "_search", "_ways", "failure", "map", "plan")
 
     map: Map
     """The map of the search."""
@@ -85,27 +71,32 @@ class Trace:
         self.map = map
         self.plan = plan
         self.failure = failure
-        self._kinds = recording.kinds()
-        self._cells = recording.cells()
-        self._parents = recording.parents()
-        self._costs = recording.costs()
-        self._headings = recording.headings()
         self._ways = recording.ways()
         self._ends = recording.ends()
-        self._on_corners = recording.on_corners
+        cells = recording.cells()
         # The vertices of a car: one more than cells.
-        largest = self._cells.max(axis=0) if len(self._cells) > 0 else np.zeros(2, dtype=np.int32)
-        self._shape = (max(map.height, int(largest[1]) + 1), max(map.width, int(largest[0]) + 1))
+        largest = cells.max(axis=0) if len(cells) > 0 else np.zeros(2, dtype=np.int32)
+        self._search = Recorded(
+            map=map._inner,
+            states=map.array,
+            shape=(max(map.height, int(largest[1]) + 1), max(map.width, int(largest[0]) + 1)),
+            kinds=recording.kinds(),
+            cells=cells,
+            parents=recording.parents(),
+            costs=recording.costs(),
+            headings=recording.headings(),
+            on_corners=recording.on_corners,
+            path=None if plan is None else plan._inner.points(),
+        )
 
     def __len__(self) -> int:
         """The number of events."""
-        return len(self._kinds)
+        return len(self._search.kinds)
 
     @property
     def order(self) -> npt.NDArray[np.int32]:
         """The cells (x, y) in the order in which they were expanded: shape (n, 2)."""
-        cells: npt.NDArray[np.int32] = self._cells[self._kinds == _EXPAND]
-        return cells
+        return self._search.order
 
     @property
     def expansion(self) -> npt.NDArray[np.uint32]:
@@ -136,20 +127,20 @@ class Trace:
     def parents(self) -> npt.NDArray[np.int32]:
         """The cell (x, y) that each was reached from: shape (height, width, 2); (-1, -1) for the start and where the
         search never was."""
-        reached = self._kinds != _EXPAND
-        layer = np.full((*self._shape, 2), -1, dtype=np.int32)
-        at = self._cells[reached]
-        layer[at[:, 1], at[:, 0]] = self._parents[reached]
+        reached = self._search.kinds != _EXPAND
+        layer = np.full((*self._search.shape, 2), -1, dtype=np.int32)
+        at = self._search.cells[reached]
+        layer[at[:, 1], at[:, 0]] = self._search.parents[reached]
         return layer
 
     def events(self) -> Iterator[Event]:
         """All events, in order."""
         first = 0
-        for i, kind in enumerate(self._kinds.tolist()):
-            x, y = self._cells[i].tolist()
-            parent = cast("tuple[int, int]", tuple(self._parents[i].tolist()))
-            g, h, f = self._costs[i].tolist()
-            heading = float(self._headings[i])
+        for i, kind in enumerate(self._search.kinds.tolist()):
+            x, y = self._search.cells[i].tolist()
+            parent = cast("tuple[int, int]", tuple(self._search.parents[i].tolist()))
+            g, h, f = self._search.costs[i].tolist()
+            heading = float(self._search.headings[i])
             last = int(self._ends[i])
             way = self._ways[first:last] if last - first > 1 else None
             first = last
@@ -178,7 +169,8 @@ class Trace:
         >>> wend.Map([[0, 0, 0]]).free_space().trace((0, 0), (2, 0)).animate()
         <wend.Animation of 3 steps>
         """
-        animation = Animation(self, layer, step)
+        outcome = str(self.failure) if self.plan is None else f"Path found, cost {self.plan.cost:.6g}."
+        animation = Animation(self._search, outcome, layer, step)
         if path is not None:
             animation.save(path)
         return animation
@@ -189,18 +181,18 @@ class Trace:
         shown = np.s_[: self.map.height, : self.map.width]
         colours[(self.generation > 0)[shown]] = FRONTIER
         colours[(self.expansion > 0)[shown]] = EXPANDED
-        return svg_of(self.map, colours, None if self.plan is None else self.plan._inner.points())
+        return svg_of(self.map._inner, colours, self._search.path)
 
     def _first(self, kind: int) -> npt.NDArray[np.uint32]:
-        at = self._cells[self._kinds == kind]
-        layer = np.zeros(self._shape, dtype=np.uint32)
+        at = self._search.cells[self._search.kinds == kind]
+        layer = np.zeros(self._search.shape, dtype=np.uint32)
         # NumPy writes in order, so the first time is written last.
         layer[at[::-1, 1], at[::-1, 0]] = np.arange(len(at), 0, -1, dtype=np.uint32)
         return layer
 
     def _last(self, column: int) -> npt.NDArray[np.float64]:
-        layer = np.full(self._shape, np.nan)
-        layer[self._cells[:, 1], self._cells[:, 0]] = self._costs[:, column]
+        layer = np.full(self._search.shape, np.nan)
+        layer[self._search.cells[:, 1], self._search.cells[:, 0]] = self._search.costs[:, column]
         return layer
 
     def __repr__(self) -> str:

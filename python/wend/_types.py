@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import inspect
 import os
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, ParamSpec, TypeVar
 
@@ -72,10 +73,8 @@ def refuse_types(function: Callable[..., Any], args: tuple[Any, ...], kwargs: di
 
 
 def _accepted(annotation: str) -> tuple[Any, str] | None:
-    import wend
-
     if annotation.startswith("Literal["):
         return _TYPES.get(annotation[:9].replace('"', "'"))
     name = annotation.partition("[")[0]
-    public = getattr(wend, name, None)
+    public = getattr(sys.modules[__package__], name, None)
     return (public, f"a wend.{name}") if isinstance(public, type) else _TYPES.get(name)

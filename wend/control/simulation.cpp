@@ -182,13 +182,14 @@ class Simulation {
     follower_.follow(route_);
   }
 
-  Drive run() {
+  Drive run(const Deadline& deadline) {
     const double limit = time_limit();
     std::optional<DriveOutcome> outcome;
     while (!outcome) {
       const FollowerStep step = follower_.step(measured(), period_);
       note();
       outcome = outcome_of(step.state);
+      if (!outcome && deadline.passed()) outcome = DriveOutcome::time;
       if (!outcome && (drive_.time >= limit || drive_.samples.size() >= kMostCommands)) {
         const bool failed =
             step.state != FollowerState::driving && step.state != FollowerState::reached;
@@ -406,7 +407,7 @@ std::optional<Error> why_undrivable(const Path& path, const Frame& frame,
 
 Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
                const MotionModel& model, const SimulationOptions& options,
-               const FollowerOptions& follower) {
+               const FollowerOptions& follower, const Deadline& deadline) {
   auto fault = why_undrivable(path, space.map().frame(), model);
   if (!fault) fault = fault_of(model);
   if (!fault) fault = fault_of(options);
@@ -417,7 +418,7 @@ Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
     drive.refusal = std::move(fault->message);
     return drive;
   }
-  return Simulation(space, path, controller, model, options, follower).run();
+  return Simulation(space, path, controller, model, options, follower).run(deadline);
 }
 
 }  // namespace wend

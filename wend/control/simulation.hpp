@@ -20,6 +20,7 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/base/compiler.hpp"
+#include "wend/base/deadline.hpp"
 #include "wend/base/error.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/motion_model.hpp"
@@ -72,7 +73,7 @@ enum class DriveOutcome {
   stuck,      // FollowerState::stuck
   off_path,   // FollowerState::off_path
   collision,  // the robot collided, and stop_at_collision is set
-  time,       // SimulationOptions::time_limit passed
+  time,       // SimulationOptions::time_limit passed, or the deadline
   missed,     // it stands beside the goal, where its poses, with their noise, tell that it is there
   refused     // it did not begin: Drive::refusal says why
 };
@@ -135,9 +136,9 @@ WEND_API std::optional<Error> why_undrivable(const Path& path, const Frame& fram
 /// whatever the outcome, or the time is over. The path is in grid coordinates of the space's map. What
 /// why_undrivable() tells, and options out of their ranges, are refused: the drive has no samples. The controller
 /// is reset first. With a controller that why_unfit() rejects, a bicycle gets stuck. O(commands), 1e6 at most;
-/// every run ends: see Follower.
+/// every run ends: see Follower. The deadline ends it where the robot is.
 WEND_API Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
                         const MotionModel& model = {}, const SimulationOptions& options = {},
-                        const FollowerOptions& follower = {});
+                        const FollowerOptions& follower = {}, const Deadline& deadline = {});
 
 }  // namespace wend

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -94,6 +95,24 @@ TEST(Simulate, DrivesToTheGoal) {
     EXPECT_EQ(drive.collisions, 0U);
     EXPECT_EQ(drive.first_collision, std::nullopt);
   }
+}
+
+TEST(Simulate, EndsWithItsDeadline) {
+  const auto controller = driver("pure_pursuit");
+  int looks = 0;
+  Limits limits;
+  limits.seconds = 10;
+  limits.clock = [&looks] { return static_cast<double>(looks++); };
+  const Drive drive =
+      simulate(open_ground(), Path::along(kTour), *controller, {}, {}, {}, Deadline(limits));
+  EXPECT_EQ(drive.outcome, DriveOutcome::time);
+  EXPECT_THAT(drive.samples.size(), testing::AllOf(testing::Ge(1U), testing::Le(11U)));
+  const std::atomic<bool> cancelled = true;
+  limits = {};
+  limits.cancel = &cancelled;
+  EXPECT_EQ(simulate(open_ground(), Path::along(kTour), *controller, {}, {}, {}, Deadline(limits))
+                .samples.size(),
+            1U);
 }
 
 TEST(Simulate, DrivesStraightOnALine) {

@@ -9,6 +9,7 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/line.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/path/length_fault.hpp"
 #include "wend/path/path_fault.hpp"
 #include "wend/robot/sweep/swept_clearance.hpp"
@@ -142,6 +143,42 @@ PathMetrics measure_arcs(const Path& path, const FreeSpace& space) {
   return metrics;
 }
 
+/// How far along an arc the point lies that is seen in a direction from the centre of its circle; 0 if the arc does not
+/// reach it.
+double length_to(const Arc& arc, double x, double y) {
+  const double side = arc.curvature > 0 ? 1 : -1;
+  const double heading = arc_tangent(side * x, -side * y);
+  double turn = normalized_angle(heading - arc.from.heading);
+  if (turn * arc.turn() < 0) turn += std::copysign(2 * kPi, arc.turn());
+  return std::abs(turn) <= std::abs(arc.turn()) ? turn / arc.curvature : 0;
+}
+
+/// The largest distance of a point of an arc from a line. Along a circle it has its largest values where the circle is
+/// farthest from an end of the line, or runs beside it; along an arc also at the ends.
+double deviation_of(const Arc& arc, const Line& line) {
+  const auto at = [&](double length) { return distance(line, point_on(arc, length)); };
+  double largest = std::max(at(0), at(arc.length));
+  if (arc.curvature == 0 || arc.length == 0) return largest;
+  const SineCosine heading = sine_and_cosine(arc.from.heading);
+  const Point centre{arc.from.x - heading.sine / arc.curvature,
+                     arc.from.y + heading.cosine / arc.curvature};
+  const Point across{line.from.y - line.to.y, line.to.x - line.from.x};
+  for (const Point seen :
+       {Point{centre.x - line.from.x, centre.y - line.from.y},
+        Point{centre.x - line.to.x, centre.y - line.to.y}, across, Point{-across.x, -across.y}}) {
+    largest = std::max(largest, at(length_to(arc, seen.x, seen.y)));
+  }
+  return largest;
+}
+
+double deviation_of(const Path& path) {
+  const std::vector<Point> points = path.points();
+  const Line line{points.front(), points.back()};
+  double largest = 0;
+  for (const Arc& arc : path.arcs()) largest = std::max(largest, deviation_of(arc, line));
+  return largest;
+}
+
 }  // namespace
 
 Corner::Corner(Point from, Point at, Point to) {
@@ -187,6 +224,9 @@ std::vector<Metric> metrics_of(const PathMetrics& metrics) {
        metrics.mean_clearance},
       {"reversals", count, "the number of changes between ahead and reverse",
        static_cast<double>(metrics.reversals)},
+      {"deviation", cells,
+       "the largest distance of a point of the path from the straight line between its ends",
+       metrics.deviation},
   };
 }
 
@@ -208,6 +248,7 @@ Expected<PathMetrics, Error> measure(const Path& path, const FreeSpace& space,
   metrics.rounded_turning_radius = std::numeric_limits<double>::infinity();
   path.visit([&](const JoinedPoses& drive) { measure_arc_bends(drive, metrics); },
              [&](const auto&) { measure_corners(path, metrics); });
+  metrics.deviation = deviation_of(path);
   return metrics;
 }
 

@@ -81,6 +81,10 @@ struct PathMetrics {
   /// path that goes nowhere it is the clearance where it stands.
   double smallest_clearance = 0;
   double mean_clearance = 0;  // cells
+
+  /// The largest distance of a point of the path from the straight line between its ends, in cells: how far it goes out
+  /// of the way. Exact for lines and arcs; 0 for a straight path and for one that goes nowhere.
+  double deviation = 0;
 };
 
 /// All of them, each once, with names, units and meanings: what reports and front ends show, in this order.

@@ -245,6 +245,47 @@ TEST(PathMetrics, OfALineThatStandsInPointsIsStraight) {
   EXPECT_EQ(metrics.reversals, 0);
 }
 
+/// Of points along the path, by the formula of the distance to a line between two points.
+TEST(PathMetrics, DeviationIsThatOfTheFarthestPoint) {
+  constexpr int kSamples = 200;
+  for (std::uint64_t seed = 1; seed <= 300 && !HasFailure(); ++seed) {
+    Random random(seed);
+    const Path path = test::random_path(random, 12, 9);
+    SCOPED_TRACE(seed);
+    const Point a = path.points().front();
+    const Point b = path.points().back();
+    const double squared = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+    double sampled = 0;
+    double step = 0;
+    for (const Arc& arc : path.arcs()) {
+      step = std::max(step, std::abs(arc.length) / kSamples);
+      for (int i = 0; i <= kSamples; ++i) {
+        const Point p = point_on(arc, arc.length * i / kSamples);
+        const double along = ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y));
+        const double share = squared == 0 ? 0 : std::clamp(along / squared, 0.0, 1.0);
+        sampled = std::max(
+            sampled, std::hypot(p.x - a.x - share * (b.x - a.x), p.y - a.y - share * (b.y - a.y)));
+      }
+    }
+    const double deviation = measure(path, test::open_space(12, 9))->deviation;
+    ASSERT_GE(deviation, sampled - 1e-9);
+    ASSERT_LE(deviation, sampled + step / 2 + 1e-9);
+  }
+}
+
+TEST(PathMetrics, DeviationOfKnownPaths) {
+  EXPECT_EQ(on_open_ground({{3, 3}}).deviation, 0);
+  EXPECT_EQ(on_open_ground({{3, 3}, {9, 3}}).deviation, 0);
+  EXPECT_NEAR(on_open_ground({{3, 3}, {4, 4}, {9, 9}}).deviation, 0, 1e-12);
+  EXPECT_EQ(on_open_ground({{3, 3}, {5, 3}, {5, 6}, {3, 6}, {3, 3}}).deviation, std::sqrt(13));
+  EXPECT_EQ(on_open_ground({{3, 3}, {9, 3}, {6, 3}}).deviation, 3) << "beyond its end";
+  // A half circle to the left and one to the right.
+  EXPECT_NEAR(driven_on_open_ground({{1, 5, -kPi / 2}, {3, 3, 0}, {5, 5, kPi / 2}}).deviation, 2,
+              1e-12);
+  EXPECT_NEAR(driven_on_open_ground({{1, 5, kPi / 2}, {3, 7, 0}, {5, 5, -kPi / 2}}).deviation, 2,
+              1e-12);
+}
+
 RC_GTEST_PROP(PathMetrics, OfPointsOnACircleNeverOverstateItsRadius, ()) {
   const double radius = *rc::gen::inRange(1, 60) / 4.0;
   const int count = *rc::gen::inRange(3, 200);

@@ -6,14 +6,9 @@
 //                                               wend::measured("smoothed", refined->path, space)};
 //   std::cout << wend::metrics_table(paths, wend::metres_of(space.map().frame()));
 //
-// In JSON lengths are in cells and in metres:
+// In JSON all of metrics_of() follow, lengths in cells and in metres, angles in degrees:
 //
-//   {"points": 2, "length_cells": 3.0, "length_m": 0.15, "turning_degrees": 0.0,
-//    "smallest_turning_radius_cells": null, "smallest_turning_radius_m": null,
-//    "rounded_turning_radius_cells": null, "rounded_turning_radius_m": null,
-//    "corner_rounding_cells": 0.1, "corner_rounding_m": 0.005,
-//    "smallest_clearance_cells": 1.0, "smallest_clearance_m": 0.05, "mean_clearance_cells": 1.5,
-//    "mean_clearance_m": 0.075, "reversals": 0}
+//   {"points": 2, "length_cells": 3.0, "length_m": 0.15, "turning_degrees": 0.0, ..., "reversals": 0, ...}
 //
 // Infinite values are null: the turning radius of a line, the clearance if nothing is near. The radii
 // are those of PathMetrics: without rounding a corner has radius 0.

@@ -120,6 +120,12 @@ Unexpected<Error> not_ready(const Deadline& deadline) {
           "robot; make it without a limit");
 }
 
+/// A repair cannot be stopped half-way: that of so many cells takes some 10 ms.
+bool takes_long(const MapEdit& edit) {
+  constexpr std::size_t kMostCells = std::size_t{1} << 18;
+  return edit.states.size() + edit.terrain.size() + edit.cells.size() > kMostCells;
+}
+
 }  // namespace
 
 std::string_view describe(BlockReason reason) {
@@ -236,9 +242,23 @@ bool FreeSpace::can_repair(const MapEdit& edit) const {
          data_->cell_costs->stay_in_range(greatest_terrain(edit));
 }
 
-Expected<SpaceChange, Error> FreeSpace::edit(const MapEdit& edit) {
+/// As if the map had been so: nothing is repaired.
+Expected<SpaceChange, Error> FreeSpace::make_edited(const MapEdit& edit, const Deadline& deadline) {
+  GridMap edited = map();
+  edited.edit(edit);
+  auto made =
+      make_free_space(Obstacles(std::move(edited), options().obstacles()), robot(), deadline);
+  if (!made) return Unexpected<Error>(std::move(made.error()));
+  *this = *std::move(made);
+  SpaceChange change;
+  change.boxes = {CellBox::of(map())};
+  return change;
+}
+
+Expected<SpaceChange, Error> FreeSpace::edit(const MapEdit& edit, const Deadline& deadline) {
   if (auto fault = fault_of(edit, map())) return Unexpected<Error>(*std::move(fault));
   SpaceChange change;
+  if (deadline.bounded() && takes_long(edit)) return make_edited(edit, deadline);
   if (!can_repair(edit)) {
     Obstacles edited = obstacles();
     change.boxes = *edited.edit(edit);
@@ -246,7 +266,7 @@ Expected<SpaceChange, Error> FreeSpace::edit(const MapEdit& edit) {
       data_.change().obstacles = std::move(edited);  // whose map may know more
       return change;
     }
-    auto made = make_free_space(std::move(edited), robot());
+    auto made = make_free_space(std::move(edited), robot(), deadline);
     if (!made) return Unexpected<Error>(std::move(made.error()));
     *this = *std::move(made);
     change.boxes = {CellBox::of(map())};

@@ -239,8 +239,9 @@ class WEND_API FreeSpace {
   /// O(cells of the edit and around it, as far as the robot needs distances) if no other copy, nor another
   /// copy of the Obstacles or the map, shares the data; else what is shared is copied first, in O(cells).
   /// The space is made anew, in O(cells), if the robot needs distances of more than 63 cells, or if a
-  /// cell costs 256 times its length or more.
-  Expected<SpaceChange, Error> edit(const MapEdit& edit);
+  /// cell costs 256 times its length or more. Then it fails with time_limit or cancelled if the deadline passes before;
+  /// with a deadline, edits of so many cells that a repair takes long make it anew, too.
+  Expected<SpaceChange, Error> edit(const MapEdit& edit, const Deadline& deadline = {});
 
  private:
   friend Expected<FreeSpace, Error> make_free_space(Obstacles, Robot, const Deadline&);
@@ -250,6 +251,7 @@ class WEND_API FreeSpace {
 
   BlockReason reason_in(Cell blocked) const;
   bool can_repair(const MapEdit& edit) const;
+  Expected<SpaceChange, Error> make_edited(const MapEdit& edit, const Deadline& deadline);
 
   struct Data {
     Obstacles obstacles;

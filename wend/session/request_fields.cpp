@@ -25,6 +25,8 @@ void put(PlanRequest& request, double value, double /*resolution*/) {
 
 RequestField number(std::string name, std::string_view unit, double greatest, double default_value,
                     Put put, std::string help, std::vector<std::string> aliases = {}) {
+  std::string flag = name;
+  std::ranges::replace(flag, '_', '-');
   return {{.name = std::move(name),
            .aliases = std::move(aliases),
            .kind = OptionKind::number,
@@ -35,13 +37,20 @@ RequestField number(std::string name, std::string_view unit, double greatest, do
            .help = std::move(help)},
           unit,
           default_value,
-          put};
+          put,
+          std::move(flag)};
 }
 
 RequestField flag(std::string name, bool default_value, Put put, std::string help) {
   RequestField field = number(std::move(name), "", 1, default_value ? 1 : 0, put, std::move(help));
   field.info.kind = OptionKind::flag;
   field.info.default_value = option_text::format(default_value);
+  return field;
+}
+
+/// A field whose flag has another name, or none.
+RequestField with_flag(std::string flag, RequestField field) {
+  field.flag = std::move(flag);
   return field;
 }
 
@@ -81,36 +90,54 @@ void put_spacing(PlanRequest& request, double value, double resolution) {
 
 std::vector<RequestField> make_fields() {
   const PlanRequest unset{};
+  constexpr const char* kNoFlag = "";
   return {
-      number("goal_tolerance", "m", kLongest, 0, &put_tolerance,
-             "how far from its goal a path may end; the goal may then be blocked", {"tolerance"}),
-      number("goal_heading_tolerance", "rad", kLongest, 0, &put_heading_tolerance,
-             "how far from its goal's heading a path may end", {"heading_tolerance"}),
-      number("time_limit", "s", kInfinity, unset.limits.seconds, &put_seconds,
-             "limit on the time of the whole call, with all that it has to make", {"seconds"}),
-      count("expansions", kInfinity, &put_expansions, "the most states to expand"),
+      // --goal-tolerance has both
+      with_flag(kNoFlag, number("goal_tolerance", "m", kLongest, 0, &put_tolerance,
+                                "how far from its goal a path may end; the goal may then be "
+                                "blocked",
+                                {"tolerance"})),
+      with_flag(kNoFlag,
+                number("goal_heading_tolerance", "rad", kLongest, 0, &put_heading_tolerance,
+                       "how far from its goal's heading a path may end", {"heading_tolerance"})),
+      with_flag("limit-time",
+                number("time_limit", "s", kInfinity, unset.limits.seconds, &put_seconds,
+                       "limit on the time of the whole call, in seconds: on making the free space "
+                       "and the planner, the search, the reason of a failure, and what is done "
+                       "with the path",
+                       {"seconds"})),
+      with_flag("limit-expansions", count("expansions", kInfinity, &put_expansions,
+                                          "limit on the number of states to expand")),
       flag("nearest", unset.nearest, &put<&PlanRequest::nearest>,
-           "moves blocked ends, and goals that no path reaches, to the nearest place"),
+           "if the start or a goal is blocked, or no path reaches a goal, uses the nearest place "
+           "that is connected to the other end"),
       number("nearest_limit", "m", kInfinity, kUnset, &put<&PlanRequest::nearest_limit>,
              "how far nearest moves an end at most; unset: 1 m, on a map without a resolution any "
              "distance"),
       number("escape", "m", kLongest, unset.escape, &put<&PlanRequest::escape>,
-             "the longest way out of a start where the robot does not fit that a path may begin "
-             "with; 0: none"),
+             "if the robot does not fit at the start, begins with the shortest way out, at most "
+             "this long, along which it never overlaps more of what blocks it; 0: off"),
       flag("closest", unset.closest, &put<&PlanRequest::closest>,
-           "if no path reaches a goal, ends at the reachable place nearest to one"),
-      number("keep", "", kInfinity, unset.keep, &put<&PlanRequest::keep>,
-             "the share by which another path must be cheaper than what is left of the last one "
-             "to be taken when planning again"),
-      flag("explain", unset.explain, &put<&PlanRequest::explain>,
-           "says at length why there is no path, which may take longer than the search"),
-      flag("from_field", unset.from_field, &put<&PlanRequest::from_field>,
-           "answers from the costs to the goals from everywhere, which are kept; for planners from "
-           "cell to cell"),
-      flag("straighten", false, &put_straighten,
-           "joins the path's cells by lines along which the robot fits"),
-      number("spacing", "m", kLongest, 0, &put_spacing,
-             "distance of the poses along the path; 0: where the planner has them"),
+           "if no path reaches a goal (it is walled in, blocked or outside the map), ends at the "
+           "reachable place nearest to it, and says what distance remains"),
+      with_flag(kNoFlag,  // the command line plans once
+                number("keep", "", kInfinity, unset.keep, &put<&PlanRequest::keep>,
+                       "the share by which another path must be cheaper than what is left of the "
+                       "last one to be taken when planning again")),
+      with_flag(kNoFlag,  // it always does
+                flag("explain", unset.explain, &put<&PlanRequest::explain>,
+                     "says at length why there is no path, which may take longer than the "
+                     "search")),
+      with_flag(kNoFlag,  // `wend field` has the costs
+                flag("from_field", unset.from_field, &put<&PlanRequest::from_field>,
+                     "answers from the costs to the goals from everywhere, which are kept; for "
+                     "planners from cell to cell")),
+      with_flag(kNoFlag,  // --simplify
+                flag("straighten", false, &put_straighten,
+                     "joins the path's cells by lines along which the robot fits")),
+      with_flag(kNoFlag,  // --resample
+                number("spacing", "m", kLongest, 0, &put_spacing,
+                       "distance of the poses along the path; 0: where the planner has them")),
   };
 }
 

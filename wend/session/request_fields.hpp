@@ -29,6 +29,8 @@ struct WEND_API RequestField {
   double default_value;   // NaN where there is none
   /// Puts a valid value into a request with lengths in metres and this resolution.
   void (*put)(PlanRequest& request, double value, double resolution);
+  /// The flag of the command line, without its dashes; empty where it says the field in another way.
+  std::string flag;
 
   /// What is wrong with a value, as the options of planners say it. `called` is the name that the user chose; empty: the
   /// first one.

@@ -64,7 +64,7 @@ struct Session::State {
 
   // Called with the lock.
   std::optional<Expected<View, Error>> known_view() const;
-  Expected<SpaceChange, Error> edit_view(View& view, const MapEdit& edit);
+  Expected<SpaceChange, Error> edit_view(View& view, const MapEdit& edit, const Deadline& deadline);
   void forget_view();
 
   const SessionOptions options;
@@ -150,24 +150,26 @@ void Session::set_map(GridMap map, std::string frame_id) {
   state_->forget_view();
 }
 
-Expected<SpaceChange, Error> Session::edit(const MapEdit& edit) {
+Expected<SpaceChange, Error> Session::edit(const MapEdit& edit, const Deadline& deadline) {
   State& state = *state_;
   for (;;) {
-    if (const auto seen = state.view(); !seen) return Unexpected<Error>(seen.error());
+    if (const auto seen = state.view(deadline); !seen) return Unexpected<Error>(seen.error());
     const MutexLock lock(state.mutex);
     // Map and robot may have been replaced meanwhile.
-    if (state.kept_view && *state.kept_view) return state.edit_view(**state.kept_view, edit);
+    if (state.kept_view && *state.kept_view)
+      return state.edit_view(**state.kept_view, edit, deadline);
   }
 }
 
-Expected<SpaceChange, Error> Session::State::edit_view(View& view, const MapEdit& edit) {
+Expected<SpaceChange, Error> Session::State::edit_view(View& view, const MapEdit& edit,
+                                                       const Deadline& deadline) {
   if (auto fault = fault_of(edit, view.space.map())) return Unexpected<Error>(*std::move(fault));
   // Whatever shares the space would make the edit copy it.
   map.reset();
   obstacles.reset();
   field->forget();
   auto idle = planners.release(version);
-  auto change = view.space.edit(edit);
+  auto change = view.space.edit(edit, deadline);
   map = view.space.map();
   obstacles = view.space.obstacles();
   if (change) view.version = ++version;

@@ -75,8 +75,8 @@ class WEND_API Session {
   /// that is in use shares it, and planners that are kept are updated, not made again. Returns what may have
   /// changed. A planner with an index that no longer matches fails with index_mismatch from then on, until
   /// build_index() or set_index(). Fails with invalid_map if there is no map or the edit does not fit it (see
-  /// fault_of()), and as view() does; nothing changes then.
-  Expected<SpaceChange, Error> edit(const MapEdit& edit);
+  /// fault_of()), and as view() and FreeSpace::edit() do; nothing changes then.
+  Expected<SpaceChange, Error> edit(const MapEdit& edit, const Deadline& deadline = {});
 
   /// There is no map, for this reason.
   void clear_map(std::string why);

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "wend/base/random.hpp"
@@ -216,6 +219,56 @@ TEST(SessionEdit, IsReplannedWithWhatWasFoundBefore) {
   EXPECT_EQ(straight->plan.cost, std::floor(straight->plan.cost));
   on_the_way.planner = {"no_planner"};
   EXPECT_EQ(session.replan(on_the_way).error().status, Status::invalid_option);
+}
+
+TEST(SessionEdit, ThatIsStoppedChangesNothing) {
+  constexpr int kSide = 600;
+  const auto map = *make_grid_map(Grid<CellState>(kSide, kSide, CellState::free));
+  const std::atomic<bool> cancelled = true;
+  Limits limits;
+  limits.cancel = &cancelled;
+  const MapEdit wall{.corner = {300, 0}, .states = Grid<CellState>(1, kSide, CellState::occupied)};
+  const MapEdit all{.states = Grid<CellState>(kSide, kSide, CellState::unknown)};
+  // One that needs the distances of all cells is made anew, and so is one of which many cells change.
+  const FreeSpaceOptions far{.footprint = Footprint::disc(1), .clearance_distance = 100};
+  const FreeSpaceOptions near{.footprint = Footprint::disc(1)};
+  for (const auto& [robot, edit] : {std::pair(far, wall), std::pair(near, all)}) {
+    Session session(map, robot);
+    const PlanRequest request{{50.5, 50.5, 0}, {{{550.5, 50.5}}}};
+    const auto before = session.plan(request);
+    ASSERT_TRUE(before) << before.error().message;
+    const std::uint64_t version = session.view()->version;
+    const auto stopped = session.edit(edit, Deadline(limits));
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().status, Status::cancelled);
+    EXPECT_EQ(session.view()->version, version);
+    EXPECT_EQ(session.view()->space.passable(), before->space.passable());
+    EXPECT_EQ(session.plan(request)->plan.path, before->plan.path);
+    ASSERT_TRUE(session.edit(edit));
+    EXPECT_FALSE(session.plan(request));
+  }
+}
+
+TEST(SessionEdit, OfManyCellsIsTheSameWithADeadline) {
+  const auto map = *make_grid_map(Grid<CellState>(600, 600, CellState::free));
+  Random random(3);
+  MapEdit edit{.states = Grid<CellState>(600, 600, CellState::free)};
+  for (int i = 0; i < 3000; ++i) {
+    edit.states[{static_cast<int>(random.below(600)), static_cast<int>(random.below(600))}] =
+        CellState::occupied;
+  }
+  const std::atomic<bool> never = false;
+  Limits limits;
+  limits.cancel = &never;
+  for (const double radius : {0.0, 2.5}) {
+    const FreeSpaceOptions robot{.footprint = Footprint::disc(radius), .clearance_distance = 3};
+    Session repaired(map, robot);
+    Session made(map, robot);
+    ASSERT_TRUE(repaired.edit(edit));
+    ASSERT_TRUE(made.edit(edit, Deadline(limits)));
+    EXPECT_EQ(made.view()->space.passable(), repaired.view()->space.passable());
+    EXPECT_EQ(made.view()->space.options().outside, repaired.view()->space.options().outside);
+  }
 }
 
 TEST(SessionEdit, IsReplannedOnTheViewThatIsGiven) {

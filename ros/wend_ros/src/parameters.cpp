@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <utility>
 
 #include "wend/base/parse.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
@@ -35,14 +36,7 @@ struct NodeOptions {
   bool rough = false;
   double cost_factor = 4;
   double time_limit = 0;
-  double goal_tolerance = 0;
-  double goal_heading_tolerance = 0;
-  bool nearest = false;
-  double nearest_limit = 0.5;  // as the tolerance of planners of Nav2
-  double escape = 0.25;
-  bool closest = false;
   ReplanOnChange replan_on_change = ReplanOnChange::ahead;
-  double keep = 0;
   bool smooth = true;
   double smooth_alpha = wend::GradientOptions{}.alpha;
   double smooth_beta = wend::GradientOptions{}.beta;
@@ -62,31 +56,11 @@ struct NodeOptions {
     field({"cost_factor", "what the greatest value of rough ground adds to a cost of 1"},
           self.cost_factor, {0, 1e6});
     field({"time_limit", "limit on the search time, s; 0: none"}, self.time_limit, {0, 3600});
-    field({"goal_tolerance", "how far from a goal a path may end, m; the goal may then be blocked"},
-          self.goal_tolerance, {0, 1e3});
-    field({"goal_heading_tolerance", "how far from a goal's heading a path may end, rad"},
-          self.goal_heading_tolerance, {0, 4});
-    field({"nearest", "moves a blocked start or goal of topics to the nearest place that is free"},
-          self.nearest);
-    field({"nearest_limit", "how far nearest moves a start or goal at most, m"}, self.nearest_limit,
-          {0, 1e3});
-    field(
-        {"escape",
-         "if the robot does not fit at the start: the longest way out that a path may begin with, "
-         "m; 0: none"},
-        self.escape, {0, 10});
-    field({"closest",
-           "if no path reaches the goal of topics: plan to the reachable place nearest to it"},
-          self.closest);
     field(
         {"replan_on_change",
          "plan again to the topics' goal after a change of the map: ahead, if it touches the path "
          "ahead or there is no path; always; never"},
         self.replan_on_change);
-    field({"keep",
-           "the share by which another path to the topics' goal must be cheaper than what is left "
-           "of the last one to be taken; 0: paths are not compared"},
-          self.keep, {0, 100});
     field({"smooth", "publish a smoothed path as well"}, self.smooth);
     field({"smooth_alpha", "weight that holds the points of the path in place"}, self.smooth_alpha,
           {0, 2});
@@ -94,6 +68,25 @@ struct NodeOptions {
           {0, 1});
   }
 };
+
+/// Fields of a request that messages have, or that mean something else here.
+constexpr std::array<std::string_view, 6> kNoParameters{"time_limit", "expansions", "explain",
+                                                        "from_field", "straighten", "spacing"};
+
+/// Where a robot that drives needs another default: as the tolerance of planners of Nav2, and a robot that has slipped.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kDefaults{
+    {{"nearest_limit", "0.5"}, {"escape", "0.25"}}};
+
+OptionInfo option_of(const wend::RequestField& field) {
+  constexpr double kLargest = 1e3;  // of what people set with a slider
+  OptionInfo option = field.info;
+  option.greatest = std::min(option.greatest, kLargest);
+  if (!field.unit.empty()) option.help += ", " + std::string(field.unit);
+  for (const auto& [name, value] : kDefaults) {
+    if (option.name == name) option.default_value = value;
+  }
+  return option;
+}
 
 OptionInfo planner_option() {
   return {.name = "planner",
@@ -161,6 +154,7 @@ std::vector<OptionInfo> full_schema() {
   std::vector<OptionInfo> schema{planner_option()};
   for (const TextParameter& parameter : kTexts) schema.push_back(option_of(parameter));
   for (const OptionInfo& option : wend::option_schema<NodeOptions>()) schema.push_back(option);
+  for (const wend::RequestField* field : request_parameters()) schema.push_back(option_of(*field));
   for (const OptionInfo& option : wend::option_schema<wend::TrajectoryLimits>()) {
     schema.push_back(option);
   }
@@ -226,6 +220,16 @@ Message entry(const std::string& name, Value value) {
 }
 
 }  // namespace
+
+std::vector<const wend::RequestField*> request_parameters() {
+  std::vector<const wend::RequestField*> fields;
+  for (const wend::RequestField& field : wend::request_fields()) {
+    if (std::ranges::find(kNoParameters, field.info.name) == kNoParameters.end()) {
+      fields.push_back(&field);
+    }
+  }
+  return fields;
+}
 
 Parameters::Parameters() : schema_(full_schema()) {
   for (const OptionInfo& option : schema_) values_.push_back(option.default_value);

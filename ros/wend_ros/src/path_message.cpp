@@ -109,6 +109,12 @@ PathMetrics metrics_message(const wend::Path& path, const wend::FreeSpace& space
   message.smallest_clearance = metrics.smallest_clearance * resolution;
   message.mean_clearance = metrics.mean_clearance * resolution;
   message.reversals = static_cast<std::uint32_t>(metrics.reversals);
+  for (const wend::Metric& metric : metrics_of(metrics)) {
+    Metric& added = message.all.emplace_back();
+    added.name = metric.name;
+    added.unit = metric_unit_name(metric.unit);
+    added.value = metric.in_metres(resolution);
+  }
   return message;
 }
 

@@ -41,21 +41,23 @@ constexpr double kTrajectoryPeriod = 0.1;  // s
 constexpr double kMostStamps = 1e5;
 
 wend::TrajectoryLimits limits_of(const Parameters& parameters) {
-  return {.speed = parameters.number("speed"),
-          .turn_rate = parameters.number("turn_rate"),
-          .acceleration = parameters.number("acceleration"),
-          .turn_acceleration = parameters.number("turn_acceleration"),
-          .lateral_acceleration = parameters.number("lateral_acceleration")};
+  wend::OptionValues values;
+  for (const wend::OptionInfo& limit : wend::option_schema<wend::TrajectoryLimits>()) {
+    values.emplace_back(limit.name, parameters.text(limit.name));
+  }
+  return wend::parse_options<wend::TrajectoryLimits>(values).value_or(wend::TrajectoryLimits{});
 }
 
 wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const Watch& watch,
-                             wend::PlannerSpec planner) {
+                             wend::PlannerSpec planner, double resolution) {
   wend::PlanRequest request{.start = ask.start, .goals = {}};
   for (const wend::MapPose& goal : ask.goals) {
     wend::MapGoal& added = request.goals.emplace_back(wend::MapGoal{goal.point()});
     if (!ask.any_heading) added.heading = goal.heading;
-    added.tolerance = parameters.number("goal_tolerance");
-    added.heading_tolerance = parameters.number("goal_heading_tolerance");
+  }
+  for (const wend::RequestField* field : request_parameters()) {
+    const auto value = field->number_of(parameters.text(field->info.name));
+    if (value) field->put(request, *value, resolution);
   }
   request.planner = std::move(planner);
   request.limits.cancel = watch.cancel;
@@ -64,8 +66,6 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
   request.observer = watch.observer;
   request.on_solution = watch.on_solution;
   request.nearest = ask.nearest;
-  request.nearest_limit = parameters.number("nearest_limit");
-  request.escape = parameters.number("escape");
   request.closest = ask.closest;
   request.explain = ask.explain;
   request.from_field = ask.from_field;
@@ -220,7 +220,8 @@ Answer answer(wend::Session& session, const wend::Session::View& view, const Par
               const Ask& ask, const Watch& watch) {
   const auto spec = spec_of(parameters, ask);
   if (!spec) return {refusal(code_of(spec.error().status), spec.error().message)};
-  wend::PlanRequest request = request_of(parameters, ask, watch, *spec);
+  wend::PlanRequest request =
+      request_of(parameters, ask, watch, *spec, view.space.map().frame().resolution);
   refine_as_asked(request, parameters);
   auto answered = ask.keep > 0 ? session.replan(view, request) : session.plan(view, request);
   PlanResult result;

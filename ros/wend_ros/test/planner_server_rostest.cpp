@@ -20,9 +20,11 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "next_message.hpp"
 #include "planner_client.hpp"
+#include "wend/path/path_metrics.hpp"
 
 namespace wend_ros {
 namespace {
@@ -77,6 +79,16 @@ TEST_F(PlannerServer, AnswersItsOwnService) {
   EXPECT_GT(result.metrics.expanded, 0U);
   EXPECT_NEAR(result.cost, result.path_metrics.length, 1e-9) << "a cell is a metre here";
   EXPECT_LE(result.smoothed.poses.size(), result.path.poses.size());
+}
+
+TEST_F(PlannerServer, AnswersEveryMetricOfTheLibrary) {
+  const PlanResult result = plan(request(38.5, 1.5));
+  const std::vector<wend::Metric> listed = metrics_of(wend::PathMetrics{});
+  ASSERT_EQ(result.path_metrics.all.size(), listed.size());
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    EXPECT_EQ(result.path_metrics.all[i].name, listed[i].name);
+  }
+  EXPECT_EQ(result.path_metrics.all.front().value, result.path_metrics.length);
 }
 
 TEST_F(PlannerServer, AnswersGetPlan) {

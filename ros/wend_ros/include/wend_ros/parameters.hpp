@@ -32,9 +32,13 @@
 #include "wend/base/options.hpp"
 #include "wend/robot/footprint.hpp"
 #include "wend/robot/motion_primitives.hpp"
+#include "wend/session/request_fields.hpp"
 #include "wend_ros/replanning.hpp"
 
 namespace wend_ros {
+
+/// The fields of a request that are parameters of the same names.
+std::vector<const wend::RequestField*> request_parameters();
 
 class Parameters {
  public:
