@@ -10,12 +10,12 @@
 #include <span>
 #include <utility>
 
+#include "wend/base/bucket_queue.hpp"
 #include "wend/planner/grid/landmarks.hpp"
 #include "wend/planner/grid/run_node.hpp"
 #include "wend/planner/grid/run_stops.hpp"
 #include "wend/planner/grid/whole_estimate.hpp"
 #include "wend/planner/grid/whole_search.hpp"
-#include "wend/search/bucket_queue.hpp"
 #include "wend/space/grid/octile.hpp"
 
 namespace wend {
