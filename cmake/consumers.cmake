@@ -34,10 +34,8 @@ endif()
 wend_add_consumer_test(add_subdirectory subdirectory_consumer "-DWEND_DIR=${PROJECT_SOURCE_DIR}"
                        -DWEND_UNITY=ON -DWEND_PRECOMPILE=ON -DWEND_INSTALL=ON
                        "-DCMAKE_INSTALL_PREFIX=${static_prefix}")
-if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # It compiles the library a second time.
-  set_tests_properties(consumer.add_subdirectory PROPERTIES LABELS long)
-endif()
+# It compiles the library a second time, and so does what needs it: for `./run test --all` and CI.
+set_tests_properties(consumer.add_subdirectory PROPERTIES LABELS long)
 
 # What is installed here is libwend.so. The static libraries are those of the project above.
 if(WEND_INSTALL AND BUILD_SHARED_LIBS)
@@ -48,4 +46,5 @@ if(WEND_INSTALL AND BUILD_SHARED_LIBS)
   set_tests_properties(consumer.install_static PROPERTIES TIMEOUT 1200 FIXTURES_REQUIRED static_build
                                                           FIXTURES_SETUP static_installed)
   set_tests_properties(consumer.find_static_package PROPERTIES FIXTURES_REQUIRED static_installed)
+  set_tests_properties(consumer.install_static consumer.find_static_package PROPERTIES LABELS long)
 endif()

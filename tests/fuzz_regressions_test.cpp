@@ -10,7 +10,7 @@
 #include <ostream>
 #include <vector>
 
-#include "fuzz/loaders.hpp"
+#include "tests/fuzz/loaders.hpp"
 
 namespace wend::test {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string>
 
-#include "fuzz/fuzzed_session.hpp"
-#include "testing/share.hpp"
+#include "tests/fuzz/fuzzed_session.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 
 namespace wend::test {

@@ -19,11 +19,11 @@
 #include "tests/testing/share.hpp"
 #include "tests/testing/smoothing_objective.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/path/curvature_smoother.hpp"
-#include "wend/path/gradient_smoother.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
+#include "wend/path/smoothing/curvature_smoother.hpp"
+#include "wend/path/smoothing/gradient_smoother.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/nearest_passable.hpp"
 
@@ -205,7 +205,7 @@ TEST(Smoothing, IsSafeByGradientWhateverTheWeights) {
 TEST(Smoothing, IsSafeWithEverySmootherAsItComes) {
   on_random_plans(500, [&](const Trial& trial, Random&) {
     for (const SmootherInfo& smoother : smoothers()) {
-      if (smoother.drives) continue;  // wend/path/drive_smoother_test.cpp
+      if (smoother.drives) continue;  // wend/path/smoothing/drive_smoother_test.cpp
       SCOPED_TRACE(smoother.name);
       const auto smoothed = smoother.make(squeezing(trial)).value()(trial.path, trial.space);
       ASSERT_TRUE(smoothed) << smoothed.error().message;

@@ -20,7 +20,7 @@
 #include "wend/control/simulation.hpp"
 #include "wend/control/trajectory_tracker.hpp"
 #include "wend/io/path/path_csv.hpp"
-#include "wend/path/corner_rounding.hpp"
+#include "wend/path/smoothing/corner_rounding.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/session/eased_query.hpp"
 

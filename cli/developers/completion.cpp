@@ -15,7 +15,7 @@
 #include "cli/output/output.hpp"
 #include "wend/analysis/layer.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/path/smoother.hpp"
+#include "wend/path/smoothing/smoother.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/render/style.hpp"
 

@@ -11,7 +11,7 @@
 #include "lab/wasm/json.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/path/lead_out.hpp"
-#include "wend/path/smoother.hpp"
+#include "wend/path/smoothing/smoother.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::lab {

@@ -18,7 +18,7 @@
 #include "wend/base/thread_workers.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/io/files.hpp"
-#include "wend/path/smoother.hpp"
+#include "wend/path/smoothing/smoother.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 

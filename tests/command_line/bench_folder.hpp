@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "run_program.hpp"
+#include "tests/command_line/run_program.hpp"
 
 namespace wend::test {
 

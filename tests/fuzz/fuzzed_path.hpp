@@ -10,12 +10,12 @@
 #include "checks.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "wend/io/path/load_path.hpp"
-#include "wend/path/corner_rounding.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_fault.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
-#include "wend/path/simplification.hpp"
+#include "wend/path/smoothing/corner_rounding.hpp"
+#include "wend/path/smoothing/simplification.hpp"
 #include "wend/path/trajectory.hpp"
 
 namespace wend::test {

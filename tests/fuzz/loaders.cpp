@@ -13,6 +13,7 @@
 #include "fuzzed_map_updates.hpp"
 #include "fuzzed_map_yaml.hpp"
 #include "fuzzed_mask.hpp"
+#include "fuzzed_nav2.hpp"
 #include "fuzzed_path.hpp"
 #include "fuzzed_path_messages.hpp"
 #include "fuzzed_session.hpp"
@@ -213,6 +214,7 @@ constexpr std::array kLoaders{
     Loader{"session", fuzz_session},
     Loader{"map_updates", fuzz_map_updates},
     Loader{"path_messages", fuzz_path_messages},
+    Loader{"nav2", fuzz_nav2},
     Loader{"check", fuzz_check},
     Loader{"measure", fuzz_measure},
     Loader{"simplify", fuzz_simplify},

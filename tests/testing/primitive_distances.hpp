@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "wend/geometry/segment.hpp"
-#include "wend/robot/fits_along.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/robot/motion_primitives.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend::test {
 

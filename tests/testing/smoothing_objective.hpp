@@ -3,7 +3,7 @@
 #include <cassert>
 #include <vector>
 
-#include "wend/path/gradient_smoother.hpp"
+#include "wend/path/smoothing/gradient_smoother.hpp"
 
 namespace wend {
 

@@ -10,7 +10,7 @@
 
 #include "wend/base/deadline.hpp"
 #include "wend/base/large_pages.hpp"
-#include "wend/planner/grid/cost_field.hpp"
+#include "wend/planner/costs/cost_field.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/search/forward_search.hpp"
 #include "wend/search/frontiers.hpp"

@@ -1,5 +1,5 @@
 // The recorder on a car's search, by hand and against the definition: a cell takes the events of
-// the vertices that it touches. Searches on cells are in tests/search_recorder_test.cpp.
+// the vertices that it touches. Searches on cells are in tests/watching/search_recorder_test.cpp.
 
 #include "wend/analysis/search_recorder.hpp"
 

@@ -11,7 +11,7 @@
 #include "wend/map/distance_field.hpp"
 #include "wend/map/grid_within.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/robot/swept_clearance.hpp"
+#include "wend/robot/sweep/swept_clearance.hpp"
 #include "wend/search/min_heap.hpp"
 
 namespace wend {

@@ -10,7 +10,7 @@
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/trigonometry.hpp"
 #include "wend/path/lead_out.hpp"
-#include "wend/robot/fits_along.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
 namespace {

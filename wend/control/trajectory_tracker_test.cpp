@@ -8,7 +8,7 @@
 #include "tests/testing/drawn_map.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/path/corner_rounding.hpp"
+#include "wend/path/smoothing/corner_rounding.hpp"
 
 namespace wend {
 namespace {

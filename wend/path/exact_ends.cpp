@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "wend/robot/fits_along.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
 namespace {

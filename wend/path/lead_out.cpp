@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "wend/geometry/segment.hpp"
-#include "wend/robot/fits_along.hpp"
-#include "wend/robot/sweep.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
+#include "wend/robot/sweep/sweep.hpp"
 
 namespace wend {
 namespace {

@@ -15,7 +15,7 @@
 #include "wend/path/path.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/robot/free_space.hpp"
-#include "wend/robot/overlap.hpp"
+#include "wend/robot/sweep/overlap.hpp"
 
 namespace wend {
 

@@ -10,10 +10,10 @@
 #include "wend/base/choice.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/path/path_fault.hpp"
-#include "wend/robot/fits_along.hpp"
-#include "wend/robot/placed_polygon.hpp"
-#include "wend/robot/point_sweep.hpp"
-#include "wend/robot/sweep.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
+#include "wend/robot/sweep/placed_polygon.hpp"
+#include "wend/robot/sweep/point_sweep.hpp"
+#include "wend/robot/sweep/sweep.hpp"
 
 namespace wend {
 namespace {

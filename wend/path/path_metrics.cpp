@@ -11,7 +11,7 @@
 #include "wend/geometry/line.hpp"
 #include "wend/path/length_fault.hpp"
 #include "wend/path/path_fault.hpp"
-#include "wend/robot/swept_clearance.hpp"
+#include "wend/robot/sweep/swept_clearance.hpp"
 
 namespace wend {
 namespace {

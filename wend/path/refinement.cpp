@@ -6,8 +6,8 @@
 #include "wend/path/largest_distance.hpp"
 #include "wend/path/length_fault.hpp"
 #include "wend/path/path_fault.hpp"
-#include "wend/path/simplification.hpp"
-#include "wend/path/smoothing.hpp"
+#include "wend/path/smoothing/simplification.hpp"
+#include "wend/path/smoothing/smoothing.hpp"
 
 namespace wend {
 namespace {

@@ -14,8 +14,8 @@
 #include "wend/base/deadline.hpp"
 #include "wend/base/options.hpp"
 #include "wend/map/connected_components.hpp"
-#include "wend/path/simplification.hpp"
-#include "wend/path/smoother.hpp"
+#include "wend/path/smoothing/simplification.hpp"
+#include "wend/path/smoothing/smoother.hpp"
 
 namespace wend {
 

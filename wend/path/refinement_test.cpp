@@ -12,12 +12,12 @@
 #include "tests/testing/polygon_overlap.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/random_polygon.hpp"
-#include "wend/path/corner_rounding.hpp"
-#include "wend/path/gradient_smoother.hpp"
 #include "wend/path/largest_distance.hpp"
 #include "wend/path/path_collision.hpp"
-#include "wend/path/simplification.hpp"
-#include "wend/robot/fits_along.hpp"
+#include "wend/path/smoothing/corner_rounding.hpp"
+#include "wend/path/smoothing/gradient_smoother.hpp"
+#include "wend/path/smoothing/simplification.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
 namespace {

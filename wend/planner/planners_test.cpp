@@ -40,8 +40,8 @@ PlannerResult refuse_every_space(const FreeSpace& /*space*/, const OptionValues&
   return failure(Status::unsupported_map, "it plans nowhere");
 }
 
-// What can be added is for the whole program: tests/added_planners_test.cpp and
-// tests/command_line_plugin_test.cpp, whose programs list no planners.
+// What can be added is for the whole program: tests/threads/added_planners_test.cpp and
+// tests/command_line/plugin_test.cpp, whose programs list no planners.
 TEST(AddPlanners, NamesThatAreTakenOrInvalidAreRefused) {
   for (const char* name : {"", "astar", "A", "a-b", "1a", "_a", "a:b", "ä"}) {
     const auto added = add_planners({{.name = name, .make = refuse_every_space}});

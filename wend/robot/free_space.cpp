@@ -12,10 +12,10 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/trigonometry.hpp"
 #include "wend/robot/cell_costs.hpp"
-#include "wend/robot/fits_along.hpp"
-#include "wend/robot/point_sweep.hpp"
-#include "wend/robot/polygon_sweep.hpp"
-#include "wend/robot/sweep.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
+#include "wend/robot/sweep/point_sweep.hpp"
+#include "wend/robot/sweep/polygon_sweep.hpp"
+#include "wend/robot/sweep/sweep.hpp"
 
 namespace wend {
 namespace {

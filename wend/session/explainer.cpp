@@ -8,7 +8,7 @@
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/planner/goal_region.hpp"
 #include "wend/robot/nearest_passable.hpp"
-#include "wend/robot/sweep.hpp"
+#include "wend/robot/sweep/sweep.hpp"
 #include "wend/robot/zone_name.hpp"
 #include "wend/session/closest_place.hpp"
 #include "wend/session/nearest_ends.hpp"

@@ -1,6 +1,6 @@
 #include "wend/session/plan_request.hpp"
 
-#include "wend/path/corner_rounding.hpp"
+#include "wend/path/smoothing/corner_rounding.hpp"
 #include "wend/session/eased_query.hpp"
 
 namespace wend {

@@ -11,7 +11,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/segment.hpp"
-#include "wend/robot/overlap.hpp"
+#include "wend/robot/sweep/overlap.hpp"
 
 namespace wend {
 namespace {

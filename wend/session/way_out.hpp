@@ -1,7 +1,7 @@
 #pragma once
 
 // WayOut: the shortest way from a start where the robot does not fit to a place from which a planner can plan, along
-// which the robot never overlaps more of what blocks it than before (robot/overlap.hpp).
+// which the robot never overlaps more of what blocks it than before (robot/sweep/overlap.hpp).
 //
 // For a planner on cells it leads from cell to cell, with the planner's moves, for the disc around the robot. For a
 // planner with headings it is made of motions that the planner's robot can drive: steps of a lattice; for hybrid_astar

@@ -12,7 +12,7 @@
 #include "wend/base/random.hpp"
 #include "wend/map/masked.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/robot/overlap.hpp"
+#include "wend/robot/sweep/overlap.hpp"
 
 namespace wend {
 namespace {

@@ -5,9 +5,9 @@
 #include "bench/suites/motion/motion_row.hpp"
 #include "bench/suites/suite.hpp"
 #include "bench/suites/suite_maps.hpp"
-#include "wend/path/curvature_smoother.hpp"
-#include "wend/path/gradient_smoother.hpp"
-#include "wend/path/simplification.hpp"
+#include "wend/path/smoothing/curvature_smoother.hpp"
+#include "wend/path/smoothing/gradient_smoother.hpp"
+#include "wend/path/smoothing/simplification.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/nearest_passable.hpp"
 

@@ -20,7 +20,7 @@
 #include "bench/suites/suite_maps.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/explore/explorer.hpp"
-#include "wend/planner/grid/leap_engine.hpp"
+#include "wend/planner/costs/leap_engine.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/space/grid/octile.hpp"
 

@@ -3,7 +3,7 @@
 #include "lab/wasm/json.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/path/smoother.hpp"
+#include "wend/path/smoothing/smoother.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/version.hpp"
 

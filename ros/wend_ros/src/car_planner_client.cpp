@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "wend/path/simplification.hpp"
+#include "wend/path/smoothing/simplification.hpp"
 #include "wend_ros/car_client_arguments.hpp"
 #include "wend_ros/car_planning.hpp"
 #include "wend_ros/markers.hpp"

@@ -11,7 +11,7 @@
 #include "wend/geometry/segment.hpp"
 #include "wend/path/outline_poses.hpp"
 #include "wend/path/polyline.hpp"
-#include "wend/robot/placed_polygon.hpp"
+#include "wend/robot/sweep/placed_polygon.hpp"
 #include "wend_ros/map_message.hpp"
 #include "wend_ros/path_message.hpp"
 

@@ -8,7 +8,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
 #include "wend/io/text.hpp"
-#include "wend/path/gradient_smoother.hpp"
+#include "wend/path/smoothing/gradient_smoother.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/footprint.hpp"

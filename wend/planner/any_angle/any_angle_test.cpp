@@ -17,7 +17,7 @@
 #include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/path/path_collision.hpp"
-#include "wend/path/simplification.hpp"
+#include "wend/path/smoothing/simplification.hpp"
 #include "wend/planner/any_angle/prepared_sight.hpp"
 #include "wend/planner/planner_options.hpp"
 #include "wend/planner/planners.hpp"

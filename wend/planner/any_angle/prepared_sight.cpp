@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "wend/robot/fits_along.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
 

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "wend/path/simplification.hpp"
-#include "wend/robot/fits_along.hpp"
+#include "wend/path/smoothing/simplification.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 #include "wend/sight/cell_trail.hpp"
 
 namespace wend {

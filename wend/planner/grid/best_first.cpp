@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "wend/planner/costs/leap_engine.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
-#include "wend/planner/grid/leap_engine.hpp"
 #include "wend/planner/grid/ordered_engine.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/widening_engine.hpp"

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "wend/planner/grid/cost_grid_parts.hpp"
-#include "wend/planner/grid/leap_engine.hpp"
-#include "wend/planner/grid/whole_estimate.hpp"
-#include "wend/planner/grid/whole_search.hpp"
+#include "wend/planner/costs/cost_grid_parts.hpp"
+#include "wend/planner/costs/leap_engine.hpp"
+#include "wend/planner/costs/whole_estimate.hpp"
+#include "wend/planner/costs/whole_search.hpp"
 #include "wend/planner/incremental/consistent_nodes.hpp"
 #include "wend/planner/incremental/incremental_options.hpp"
 #include "wend/planner/incremental/kept_roots.hpp"

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "wend/path/path.hpp"
+#include "wend/planner/costs/cost_grid.hpp"
 #include "wend/planner/goal_region.hpp"
-#include "wend/planner/grid/cost_grid.hpp"
 
 namespace wend {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "wend/geometry/cell_box.hpp"
+#include "wend/planner/costs/cost_grid.hpp"
 #include "wend/planner/goal_region.hpp"
-#include "wend/planner/grid/cost_grid.hpp"
 
 namespace wend {
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "wend/planner/grid/cost_grid_parts.hpp"
-#include "wend/planner/grid/leap_engine.hpp"
+#include "wend/planner/costs/cost_grid_parts.hpp"
+#include "wend/planner/costs/leap_engine.hpp"
 #include "wend/planner/incremental/kept_path.hpp"
 #include "wend/search/limit_check.hpp"
 

@@ -13,7 +13,7 @@
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
-#include "wend/planner/grid/cost_oracle_test.hpp"
+#include "wend/planner/costs/cost_oracle_test.hpp"
 #include "wend/planner/planner_options.hpp"
 #include "wend/space/grid/grid_path.hpp"
 

@@ -1,5 +1,5 @@
 // The car: the numbers that are known of it, and why it says no. That its drives are
-// legal and the cheapest is shown in tests/car_conformance_test.cpp.
+// legal and the cheapest is shown in tests/lattice/car_conformance_test.cpp.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/planner/se2/pose_table.hpp"
-#include "wend/space/se2/footprint_rows.hpp"
+#include "wend/robot/sweep/footprint_rows.hpp"
 #include "wend/space/se2/motion.hpp"
 
 namespace wend {

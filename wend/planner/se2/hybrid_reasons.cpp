@@ -8,8 +8,8 @@
 #include "wend/geometry/box.hpp"
 #include "wend/geometry/trigonometry.hpp"
 #include "wend/map/place_text.hpp"
-#include "wend/robot/contact.hpp"
 #include "wend/robot/near_map.hpp"
+#include "wend/robot/sweep/contact.hpp"
 #include "wend/robot/zone_name.hpp"
 
 namespace wend {

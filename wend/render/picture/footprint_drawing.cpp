@@ -7,7 +7,7 @@
 #include "wend/path/outline_poses.hpp"
 #include "wend/path/polyline.hpp"
 #include "wend/render/picture/scene_drawing.hpp"
-#include "wend/robot/placed_polygon.hpp"
+#include "wend/robot/sweep/placed_polygon.hpp"
 
 namespace wend {
 namespace {

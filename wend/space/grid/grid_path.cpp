@@ -3,8 +3,8 @@
 #include <numbers>
 #include <optional>
 
-#include "wend/robot/fits_along.hpp"
-#include "wend/robot/point_sweep.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
+#include "wend/robot/sweep/point_sweep.hpp"
 #include "wend/space/grid/grid_space.hpp"
 #include "wend/space/grid/line_cost.hpp"
 

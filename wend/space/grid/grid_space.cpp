@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "wend/robot/swept_clearance.hpp"
+#include "wend/robot/sweep/swept_clearance.hpp"
 #include "wend/space/grid/sight_grid.hpp"
 
 namespace wend {

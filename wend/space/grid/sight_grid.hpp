@@ -15,7 +15,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "wend/robot/fits_along.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 #include "wend/space/grid/grid_space.hpp"
 #include "wend/space/grid/line_cost.hpp"
 

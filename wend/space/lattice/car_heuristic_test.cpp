@@ -1,4 +1,4 @@
-// tests/car_heuristic_test.cpp shows that the estimates are consistent, and which are exact.
+// tests/lattice/car_heuristic_test.cpp shows that the estimates are consistent, and which are exact.
 
 #include "wend/space/lattice/car_heuristic.hpp"
 

@@ -6,9 +6,9 @@
 
 #include "wend/geometry/arc.hpp"
 #include "wend/map/grid_within.hpp"
-#include "wend/robot/fits_along.hpp"
-#include "wend/robot/sweep.hpp"
-#include "wend/robot/swept_clearance.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
+#include "wend/robot/sweep/sweep.hpp"
+#include "wend/robot/sweep/swept_clearance.hpp"
 
 namespace wend {
 namespace {

@@ -24,7 +24,7 @@
 #include "wend/geometry/pose.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/robot/motion_primitives.hpp"
-#include "wend/robot/swept_cells.hpp"
+#include "wend/robot/sweep/swept_cells.hpp"
 #include "wend/space/lattice/driving_options.hpp"
 #include "wend/space/lattice/lattice_pose.hpp"
 

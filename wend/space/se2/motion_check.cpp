@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "wend/geometry/arc_distance.hpp"
-#include "wend/robot/fits_along.hpp"
-#include "wend/robot/placed_polygon.hpp"
-#include "wend/robot/sweep.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
+#include "wend/robot/sweep/placed_polygon.hpp"
+#include "wend/robot/sweep/sweep.hpp"
 
 namespace wend {
 namespace {

@@ -15,7 +15,7 @@
 #include "wend/geometry/pose.hpp"
 #include "wend/geometry/segment.hpp"
 #include "wend/robot/free_space.hpp"
-#include "wend/space/se2/footprint_rows.hpp"
+#include "wend/robot/sweep/footprint_rows.hpp"
 #include "wend/space/se2/motion.hpp"
 #include "wend/space/se2/outline_clearance.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "wend/geometry/trigonometry.hpp"
-#include "wend/robot/sweep.hpp"
+#include "wend/robot/sweep/sweep.hpp"
 #include "wend/space/se2/motion.hpp"
 
 namespace wend {

@@ -1,0 +1,383 @@
+#pragma once
+
+// LeapSearch: the search of a leap engine (leap_engine.hpp says how it works).
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "wend/base/bucket_queue.hpp"
+#include "wend/planner/costs/landmarks.hpp"
+#include "wend/planner/costs/run_node.hpp"
+#include "wend/planner/costs/run_stops.hpp"
+#include "wend/planner/costs/whole_estimate.hpp"
+#include "wend/planner/costs/whole_search.hpp"
+#include "wend/space/grid/octile.hpp"
+
+namespace wend {
+
+/// Costs of the type Cost on a grid of Words, in Units: CostUnits, or OctileUnits where every cell costs the same.
+template <class Cost, class Word, class Units>
+class LeapSearch final : public WholeSearch<LeapSearch<Cost, Word, Units>, Word, Units> {
+ public:
+  LeapSearch(std::shared_ptr<const CostGrid<Word>> its_grid, const BestFirst& parts,
+             std::shared_ptr<const Landmarks> landmarks = nullptr)
+      : Base(std::move(its_grid)),
+        landmarks_(std::move(landmarks)),
+        words_(grid().words()),
+        log_position_(grid().log_end()),
+        estimate_(parts, grid().least_steps()),
+        leaps_(parts.leaps && parts.moves.connectivity == Connectivity::eight),
+        cuts_corners_(parts.moves.corner_rule != CornerRule::none),
+        prefetches_(grid().state_count() >= kFewestToPrefetch),
+        stops_(grid()),
+        nodes_(grid().state_count()) {}
+
+  bool allocated() const override { return nodes_.allocated(); }
+
+  void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
+             SearchObserver* observer) override {
+    overflown_ = false;
+    best_ = kNoCost;
+    if (!begin_counting(limits, observer)) return;
+    nodes_.begin_search();
+    catch_up();
+    estimate_.begin(goals);
+    stops_.set_goals(goals);
+    const StateId id = grid().number(start);
+    bounds_ = {};
+    if (landmarks_ != nullptr && goals.size() == 1 && goals.front().is_one_place()) {
+      bounds_ = Landmarks::Bounds(landmarks_, id, grid().number(goals.front().any()));
+    }
+    queue_.begin(estimate(start, id), width_bits_for(grid().least_steps()));
+    reach(id, start, 0, Node::kNoArrival);
+    count_open(queue_.size());
+    if (overflown_) end(SearchOutcome::cost_overflow);
+  }
+
+  OpenList open_list(std::size_t most) const override {
+    BucketQueue<Entry> rest = queue_;
+    OpenList list;
+    std::uint64_t best = best_;
+    Cell goal = goal_;
+    const auto add = [&](Cell cell) {
+      ++list.count;
+      if (list.entries.size() == most) return;
+      list.entries.push_back({event_of(grid().number(cell)), OpenTie::none});
+    };
+    while (!rest.empty()) {
+      const Entry entry = rest.pop();
+      if (best <= rest.least_key()) break;
+      if (is_stale(entry) || is_dominated(entry)) continue;
+      const Cell cell = grid().cell(entry.id);
+      if (!estimate_.is_goal(cell)) {
+        add(cell);
+      } else if (entry.g < best) {
+        best = entry.g;
+        goal = cell;
+      }
+    }
+    if (best != kNoCost && outcome() == SearchOutcome::running) add(goal);
+    return list;
+  }
+
+  double heuristic(const Cell& place) const override { return estimate_in_cells(place); }
+
+  void write_path(Path& path) const override {
+    path.clear();
+    Cell cell = goal_;
+    path.append(cell);
+    for (;;) {
+      const Node& node = nodes_[grid().number(cell)];
+      if (node.move() == kNoMove) break;
+      const Cell back = kDirectionSteps[(node.move() + 4U) % kDirections];
+      for (std::uint32_t left = node.run(); left > 0; --left) {
+        cell = {cell.x + back.x, cell.y + back.y};
+        path.append(cell);
+      }
+    }
+    path.reverse();
+  }
+
+ private:
+  using Base = WholeSearch<LeapSearch, Word, Units>;
+  friend Base;
+  using Base::begin_counting;
+  using Base::count_expansion;
+  using Base::count_open;
+  using Base::count_reached;
+  using Base::end;
+  using Base::event_of;
+  using Base::grid;
+  using Base::outcome;
+  using Base::stopped;
+  using Base::units_per_cell;
+  using Grid = CostGrid<Word>;
+  using Node = RunNode<Cost>;
+
+  struct Entry {
+    Cost g;
+    StateId id;
+  };
+
+  static constexpr bool is_diagonal_move(unsigned move) { return (move & 1U) != 0; }
+
+  static constexpr StateId kFewestToPrefetch = 1U << 17U;
+  static constexpr std::uint64_t kNoCost = UINT64_MAX;
+  static constexpr std::uint64_t kMostCost = std::numeric_limits<Cost>::max() / 2;
+
+  /// A bucket is between 1/8 and 1/16 of the cheapest straight step wide.
+  static unsigned width_bits_for(std::uint64_t least_steps) {
+    const std::uint64_t least = 2 * least_steps * Units::kStraight;
+    return static_cast<unsigned>(std::bit_width(least)) - 4;
+  }
+
+  /// Takes what was repaired in the grid since the last search.
+  void catch_up() {
+    const auto changes = grid().changes_since(log_position_);
+    if (changes) {
+      stops_.repair(grid(), *changes);
+    } else {
+      stops_ = RunStops(grid());
+    }
+    if (landmarks_ != nullptr && (!changes || Landmarks::may_fall(grid(), *changes))) {
+      landmarks_.reset();
+    }
+    log_position_ = grid().log_end();
+    estimate_.set_least_steps(grid().least_steps());
+  }
+
+  std::uint64_t estimate(Cell cell, StateId id) const {
+    return std::max(estimate_.units(cell), bounds_(id));
+  }
+
+  /// As people see it.
+  double estimate_in_cells(Cell cell) const {
+    const auto bound = static_cast<double>(bounds_(grid().number(cell)));
+    return std::max(estimate_.cells(cell), bound / units_per_cell());
+  }
+
+  /// Was the cell reached more cheaply since?
+  bool is_stale(const Entry& entry) const { return nodes_[entry.id].g != entry.g; }
+
+  /// Prefetches what expanding a cell reads: the three rows around it, each of which may lie in two lines of the
+  /// cache. Inline: g++ drops calls of a function that only prefetches.
+  [[gnu::always_inline]] void fetch_ahead(StateId id) const {
+    for (const StateId row : {grid().neighbour(id, 0), id, grid().neighbour(id, 4)}) {
+      nodes_.prefetch(row - 1);
+      nodes_.prefetch(row + 1);
+      __builtin_prefetch(words_ + row - 1);
+      __builtin_prefetch(words_ + row + 1);
+    }
+  }
+
+  /// Expands one cell, or ends the search.
+  void advance() {
+    while (!queue_.empty()) {
+      const Entry entry = queue_.pop();
+      if (best_ <= queue_.least_key()) break;
+      if (prefetches_) {
+        if (const Entry* later = queue_.after_next()) fetch_ahead(later->id);
+      }
+      if (is_stale(entry)) continue;
+      if (stopped()) return;
+      if (!expand(entry.id, entry.g)) continue;
+      if (overflown_) end(SearchOutcome::cost_overflow);
+      return;
+    }
+    if (best_ == kNoCost) return end(SearchOutcome::exhausted);
+    if (stopped()) return;
+    end(SearchOutcome::found);
+    count_expansion(grid().number(goal_));
+  }
+
+  /// False if there is nothing to expand yet: the cell is dominated, or a goal.
+  [[gnu::always_inline]] bool expand(StateId id, std::uint64_t g) {
+    const Cell cell = grid().cell(id);
+    const Move arrival = nodes_[id].move();
+    const Word word = words_[id];
+    const From from{id, cell, g, Grid::steps(word)};
+    if (estimate_.is_goal(cell)) {
+      // It is expanded last, when no other goal can be reached more cheaply.
+      if (g < best_) {
+        best_ = g;
+        goal_ = cell;
+      }
+      return false;
+    }
+    unsigned moves = grid().moves(arrival, word);
+    if (leaps_ && arrival != kNoMove) {
+      if (Grid::interior(word)) {
+        if (is_diagonal_move(arrival)) return expand_diagonal(from, arrival);
+      } else if (!is_diagonal_move(arrival) && Grid::class_of(word) != CostClass::uniform) {
+        moves = without_dearer_diagonals(from, arrival, moves);
+      }
+    }
+    count_expansion(from.id);
+    for (; moves != 0; moves &= moves - 1) {
+      const auto direction = static_cast<unsigned>(std::countr_zero(moves));
+      if (is_diagonal_move(direction)) {
+        step_diagonally(from, direction);
+      } else {
+        step_straight(from, direction);
+      }
+    }
+    count_open(queue_.size());
+    return true;
+  }
+
+  struct From {
+    StateId id;
+    Cell cell;
+    std::uint64_t g;
+    std::uint64_t steps;
+  };
+
+  /// A straight run: how far it leads, and what its end costs.
+  struct Run {
+    unsigned direction;
+    std::uint32_t length;
+    StateId end;
+    std::uint64_t g;
+  };
+
+  Run run_from(const From& from, unsigned direction) const {
+    const std::uint32_t length = std::min(stops_.distance(from.cell, direction), Node::kLongest);
+    return {direction, length, grid().neighbour(from.id, direction, length),
+            from.g + 2 * from.steps * Units::kStraight * length};
+  }
+
+  /// Did a run that passes its start reach its end more cheaply?
+  bool dominated(const Run& run) const {
+    const Node& node = nodes_[run.end];
+    return nodes_.reached(node) && node.g < run.g && node.move() == run.direction &&
+           node.run() >= run.length;
+  }
+
+  /// The same for both runs of an interior cell that was reached by a diagonal step.
+  bool is_dominated(const Entry& entry) const {
+    const Move arrival = nodes_[entry.id].move();
+    const Word word = words_[entry.id];
+    const Cell cell = grid().cell(entry.id);
+    if (!leaps_ || !Grid::interior(word) || arrival == kNoMove || !is_diagonal_move(arrival)) {
+      return false;
+    }
+    if (estimate_.is_goal(cell)) return false;
+    const From from{entry.id, cell, entry.g, Grid::steps(word)};
+    return dominated(run_from(from, (arrival + 7U) % kDirections)) ||
+           dominated(run_from(from, (arrival + 1U) % kDirections));
+  }
+
+  void follow(const From& from, const Run& run) {
+    const Cell step = kDirectionSteps[run.direction];
+    const int length = static_cast<int>(run.length);
+    reach(run.end, {from.cell.x + length * step.x, from.cell.y + length * step.y}, run.g,
+          Node::arrival_by(run.direction, run.length));
+  }
+
+  /// An interior cell that was reached by a diagonal step: its two runs, and the diagonal step on.
+  bool expand_diagonal(const From& from, Move arrival) {
+    const Run first = run_from(from, (arrival + kDirections - 1U) % kDirections);
+    if (dominated(first)) return false;
+    const Run second = run_from(from, (arrival + 1U) % kDirections);
+    if (dominated(second)) return false;
+    count_expansion(from.id);
+    follow(from, first);
+    follow(from, second);
+    step_diagonally(from, arrival);
+    count_open(queue_.size());
+    return true;
+  }
+
+  void step_straight(const From& from, unsigned direction) {
+    const StateId next = grid().neighbour(from.id, direction);
+    const Word word = words_[next];
+    if (leaps_ && Grid::interior(word)) {
+      follow(from, run_from(from, direction));
+      return;
+    }
+    const Cell step = kDirectionSteps[direction];
+    reach(next, {from.cell.x + step.x, from.cell.y + step.y},
+          from.g + (from.steps + Grid::steps(word)) * Units::kStraight,
+          Node::arrival_by(direction, 1));
+  }
+
+  void step_diagonally(const From& from, unsigned direction) {
+    const StateId next = grid().neighbour(from.id, direction);
+    const Cell step = kDirectionSteps[direction];
+    reach(next, {from.cell.x + step.x, from.cell.y + step.y},
+          from.g + (from.steps + Grid::steps(words_[next])) * Units::kDiagonal,
+          Node::arrival_by(direction, 1));
+  }
+
+  /// Leaves out the diagonal moves after a straight step that cost at least as much as the diagonal step
+  /// from the parent and a straight one.
+  unsigned without_dearer_diagonals(const From& from, Move arrival, unsigned moves) const {
+    const StateId parent = grid().neighbour(from.id, (arrival + 4U) % kDirections);
+    const std::uint64_t parent_steps = Grid::steps(words_[parent]);
+    for (const unsigned turn : {1U, 7U}) {
+      const unsigned diagonal = (arrival + turn) % kDirections;
+      if (((moves >> diagonal) & 1U) == 0) continue;
+      const unsigned aside = (arrival + 2 * turn) % kDirections;
+      const std::uint64_t via = Grid::steps(words_[grid().neighbour(from.id, aside)]);
+      if (via == 0) continue;
+      if (!cuts_corners_ && words_[grid().neighbour(parent, aside)] == 0) continue;
+      const std::uint64_t to = Grid::steps(words_[grid().neighbour(from.id, diagonal)]);
+      const std::uint64_t here =
+          (parent_steps + from.steps) * Units::kStraight + (from.steps + to) * Units::kDiagonal;
+      const std::uint64_t other =
+          (parent_steps + via) * Units::kDiagonal + (via + to) * Units::kStraight;
+      if (other <= here) moves &= ~(1U << diagonal);
+    }
+    return moves;
+  }
+
+  /// Opens a cell unless it was reached as well or better.
+  void reach(StateId id, Cell cell, std::uint64_t g, typename Node::Arrival arrival) {
+    Node& node = nodes_[id];
+    const bool reached = nodes_.reached(node);
+    if (reached && node.g <= g) return;
+    const std::uint64_t f = g + estimate(cell, id);
+    if (f >= best_) return;
+    if (f > kMostCost) {
+      overflown_ = true;
+      return;
+    }
+    nodes_.open(node, static_cast<Cost>(g), arrival);
+    queue_.push(f, {static_cast<Cost>(g), id});
+    count_reached(id, reached);
+  }
+
+  CellArrival arrival_of(StateId id) const {
+    const Node& node = nodes_[id];
+    const Cell cell = grid().cell(id);
+    CellArrival arrival{
+        static_cast<double>(node.g) / units_per_cell(), estimate_in_cells(cell), {}};
+    if (node.move() != kNoMove) {
+      arrival.parent = wend::step(cell, opposite(static_cast<Direction>(node.move())),
+                                  static_cast<int>(node.run()));
+    }
+    return arrival;
+  }
+
+  std::shared_ptr<const Landmarks> landmarks_;  // null: none, or no longer
+  Landmarks::Bounds bounds_;                    // of the present query
+  const Word* words_;
+  std::uint64_t log_position_;  // in the grid's log
+  WholeEstimate<Units> estimate_;
+  bool leaps_;
+  bool cuts_corners_;
+  bool prefetches_;  // on maps that the caches near a core do not hold
+  RunStops stops_;
+  RunNodes<Cost> nodes_;
+  BucketQueue<Entry> queue_;
+  bool overflown_ = false;
+  std::uint64_t best_ = kNoCost;  // of the goals expanded so far
+  Cell goal_{};
+};
+
+}  // namespace wend
