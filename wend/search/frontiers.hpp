@@ -3,14 +3,11 @@
 // The frontiers of a forward search: open states ordered by arrival (FifoFrontier, LifoFrontier) or by
 // key (HeapFrontier, BucketFrontier).
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "wend/base/bucket_queue.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/search/min_heap.hpp"
 
@@ -118,92 +115,37 @@ class HeapFrontier {
   std::uint32_t age_rank_ = UINT32_MAX;
 };
 
-/// Open states by integer keys that never decrease (f of a consistent heuristic).
+/// Open states by integer keys that never decrease (f of a consistent heuristic): a BucketQueue whose current bucket
+/// is sorted.
 ///
-/// A ring of buckets; the width of a bucket is a small part of a straight step. The current bucket is
-/// sorted, the others are plain lists. Most steps raise f by nothing or by more than a bucket; so a
-/// state pushed into the current bucket has the smallest key there and goes to its end, where pop()
-/// takes states. States are popped in exactly the order of a HeapFrontier. (R. Dial, "Algorithm 360:
-/// Shortest-path forest with topological ordering", 1969, with sorted buckets.)
+/// The width of a bucket is a small part of a straight step. Most steps raise f by nothing or by more than a
+/// bucket; so a state pushed into the current bucket has the smallest key there and goes to its end, where
+/// pop() takes states. States are popped in exactly the order of a HeapFrontier.
 ///
-/// Key has `f()`, an integer, and `<`. No key may be smaller than the one popped last (before the first
-/// pop, than the first one pushed), nor exceed it by the key range of the ring or more.
+/// Key has `f()`, an integer, and `<`. No f may be smaller than the one popped last (before the first pop, than the
+/// first one pushed), nor exceed it by 255 buckets or more.
 template <class OrderedKey, unsigned kBucketBits>
 class BucketFrontier {
  public:
   using Key = OrderedKey;
   using Entry = FrontierEntry<Key>;
 
+  BucketFrontier() { clear(); }
+
   void clear() {
-    for (std::size_t word = 0; word < kWords; ++word) {
-      for (std::uint64_t bits = occupied_[word]; bits != 0; bits &= bits - 1) {
-        ring_[word * 64 + static_cast<std::size_t>(std::countr_zero(bits))].clear();
-      }
-      occupied_[word] = 0;
-    }
-    current_ = kNoBucket;
-    size_ = 0;
+    queue_.begin(Queue::kUnknown, kBucketBits);
     age_rank_ = UINT32_MAX;
   }
-
-  bool empty() const { return size_ == 0; }
-
+  bool empty() const { return queue_.empty(); }
   void push(Key key, StateId id) {
-    const std::uint64_t bucket = static_cast<std::uint64_t>(key.f()) >> kBucketBits;
-    if (current_ == kNoBucket) current_ = bucket;
-    assert(bucket >= current_ && bucket - current_ < kBuckets);
-    const Entry entry{key, age_rank_--, id};
-    const std::size_t slot = bucket % kBuckets;
-    ring_[slot].push_back(entry);
-    occupied_[slot / 64] |= std::uint64_t{1} << (slot % 64);
-    if (bucket == current_) move_to_its_place(ring_[slot]);
-    ++size_;
+    queue_.push(static_cast<std::uint64_t>(key.f()), {key, age_rank_--, id});
   }
-
-  Entry pop() {
-    std::size_t slot = current_ % kBuckets;
-    if (ring_[slot].empty()) slot = advance();
-    std::vector<Entry>& hand = ring_[slot];
-    const Entry entry = hand.back();
-    hand.pop_back();
-    --size_;
-    return entry;
-  }
+  Entry pop() { return queue_.pop(); }
 
  private:
-  static constexpr std::size_t kBuckets = 256;
-  static constexpr std::size_t kWords = kBuckets / 64;
-  static constexpr std::uint64_t kNoBucket = UINT64_MAX;
+  using Queue = BucketQueue<Entry, SmallestFirst, 256>;
 
-  /// Moves the last entry of the sorted current bucket to its place.
-  static void move_to_its_place(std::vector<Entry>& hand) {
-    std::size_t at = hand.size() - 1;
-    const Entry entry = hand[at];
-    for (; at > 0 && hand[at - 1] < entry; --at) hand[at] = hand[at - 1];
-    hand[at] = entry;
-  }
-
-  /// Advances to the next bucket that is not empty, and sorts it with the smallest key last.
-  std::size_t advance() {
-    const std::size_t from = current_ % kBuckets;
-    occupied_[from / 64] &= ~(std::uint64_t{1} << (from % 64));
-    std::size_t word = from / 64;
-    std::uint64_t bits = occupied_[word] & (~std::uint64_t{0} << (from % 64));
-    while (bits == 0) {
-      word = (word + 1) % kWords;
-      bits = occupied_[word];
-    }
-    const std::size_t slot = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
-    current_ += (slot - from) % kBuckets;
-    std::sort(ring_[slot].begin(), ring_[slot].end(),
-              [](const Entry& a, const Entry& b) { return b < a; });
-    return slot;
-  }
-
-  std::array<std::vector<Entry>, kBuckets> ring_;
-  std::array<std::uint64_t, kWords> occupied_{};
-  std::uint64_t current_ = kNoBucket;  // the current bucket, counted from key 0
-  std::size_t size_ = 0;
+  Queue queue_;
   std::uint32_t age_rank_ = UINT32_MAX;
 };
 

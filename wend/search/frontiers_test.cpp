@@ -62,7 +62,7 @@ struct Round {
   std::vector<Push> pushes;
 };
 
-/// Rounds with many ties, many empty frontiers and, sometimes, pushes almost a whole ring away.
+/// Rounds with many ties, many empty frontiers and, sometimes, pushes far ahead.
 std::vector<Round> random_rounds() {
   const auto count = *rc::gen::inRange(1, 80);
   std::vector<Round> rounds(static_cast<std::size_t>(count));
@@ -116,7 +116,7 @@ RC_GTEST_PROP(BucketFrontier, PopsTheSmallestKeyAndOfEqualOnesTheNewest, ()) {
   pops_like_the_model<Buckets>();
 }
 
-/// Long runs that go around the ring many times.
+/// Long runs that go through many buckets.
 TEST(BucketFrontier, PopsWhatAHeapPops) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);

@@ -1,7 +1,6 @@
 #include "wend/planner/costs/cost_field.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace wend {
 
@@ -12,17 +11,17 @@ SearchOutcome CostField<Number, Word, Units>::run(std::span<const Cell> goals,
   outcome_ = SearchOutcome::running;
   LimitCheck check;
   check.begin(limits);
+  queue_.begin(0, width_bits_);
   for (const Cell goal : goals) reach(grid_.number(goal), Node::start());
-  std::vector<StateId> bucket;
-  for (std::uint64_t number = 0; open_ > 0; ++number) {
-    auto& filled = ring_[number & ring_mask_];
-    if (filled.empty()) continue;
-    bound_ = (number + 1) << width_bits_;
+  while (!queue_.empty()) {
+    const std::size_t open = queue_.size();
+    bucket_.clear();
+    queue_.take_bucket(bucket_);
+    bound_ = queue_.end_of_bucket();
     if (bound_ + most_step() > Node::kMostCost) return outcome_ = SearchOutcome::cost_overflow;
-    std::swap(bucket, filled);
-    drain(bucket, number, check);
+    metrics_.max_frontier = std::max<std::uint64_t>(metrics_.max_frontier, open);
+    drain(check);
     if (outcome_ != SearchOutcome::running) return outcome_;
-    bucket.clear();
   }
   return outcome_ = SearchOutcome::exhausted;
 }
@@ -43,15 +42,13 @@ void CostField<Number, Word, Units>::fetch_ahead(StateId id) const {
   if constexpr (Node::kUniform) __builtin_prefetch(grid_.words() + id);
 }
 
-/// Expands the cells of a bucket, unless the search ends early.
+/// Expands the cells of the bucket, unless the search ends early.
 template <class Number, class Word, class Units>
-void CostField<Number, Word, Units>::drain(std::vector<StateId>& bucket, std::uint64_t number,
-                                           LimitCheck& check) {
-  metrics_.max_frontier = std::max<std::uint64_t>(metrics_.max_frontier, open_);
-  for (std::size_t i = 0; i < bucket.size(); ++i) {
-    if (i + kAhead < bucket.size()) fetch_ahead(bucket[i + kAhead]);
-    const StateId id = bucket[i];
-    --open_;
+void CostField<Number, Word, Units>::drain(LimitCheck& check) {
+  const std::uint64_t number = queue_.least_key() >> width_bits_;
+  for (std::size_t i = 0; i < bucket_.size(); ++i) {
+    if (i + kAhead < bucket_.size()) fetch_ahead(bucket_[i + kAhead]);
+    const StateId id = bucket_[i];
     // A cell that was reached more cheaply since was expanded in an earlier bucket.
     if (nodes_[id].bucket(width_bits_) != number) continue;
     if (check.due(metrics_.expanded)) {
@@ -86,8 +83,7 @@ void CostField<Number, Word, Units>::reach(StateId id, Node node) {
   const std::uint64_t bucket = node.bucket(width_bits_);
   // Its entry in the same bucket serves both.
   if (before.reached() && before.bucket(width_bits_) == bucket) return;
-  ring_[bucket & ring_mask_].push_back(id);
-  ++open_;
+  queue_.push(node.g(), id);
 }
 
 template class CostField<std::uint64_t, std::uint32_t, CostUnits>;

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/bucket_queue.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/base/zeroed_memory.hpp"
 #include "wend/geometry/cell.hpp"
@@ -38,9 +39,7 @@ class CostField {
   explicit CostField(const Grid& grid)
       : grid_(grid),
         nodes_(zeroed_table<Node>(grid.state_count())),
-        width_bits_(static_cast<unsigned>(std::bit_width(least_step())) - 1),
-        ring_(std::bit_ceil((most_step() >> width_bits_) + 2)),
-        ring_mask_(ring_.size() - 1) {}
+        width_bits_(static_cast<unsigned>(std::bit_width(least_step())) - 1) {}
 
   /// False if there was no memory: then run() ends as out_of_memory.
   bool allocated() const { return nodes_ != nullptr; }
@@ -85,7 +84,7 @@ class CostField {
   std::uint64_t most_step() const { return 2 * grid_.most_steps() * Units::kDiagonal; }
 
   const Node& node(Cell cell) const { return nodes_[grid_.number(cell)]; }
-  void drain(std::vector<StateId>& bucket, std::uint64_t number, LimitCheck& check);
+  void drain(LimitCheck& check);
   [[gnu::always_inline]] inline void fetch_ahead(StateId id) const;
   void expand(StateId id);
   void reach(StateId id, Node node);
@@ -93,9 +92,8 @@ class CostField {
   const Grid& grid_;
   ZeroedTable<Node> nodes_;
   unsigned width_bits_;
-  std::vector<std::vector<StateId>> ring_;  // buckets, as many as a power of two
-  std::uint64_t ring_mask_;
-  std::size_t open_ = 0;  // entries of the ring
+  BucketQueue<StateId> queue_;
+  std::vector<StateId> bucket_;  // the current one
   std::uint64_t bound_ = 0;
   SearchOutcome outcome_ = SearchOutcome::exhausted;
   SearchMetrics metrics_;

@@ -10,12 +10,12 @@
 #include <span>
 #include <utility>
 
+#include "wend/base/bucket_queue.hpp"
 #include "wend/planner/costs/landmarks.hpp"
 #include "wend/planner/costs/run_node.hpp"
 #include "wend/planner/costs/run_stops.hpp"
 #include "wend/planner/costs/whole_estimate.hpp"
 #include "wend/planner/costs/whole_search.hpp"
-#include "wend/search/bucket_queue.hpp"
 #include "wend/space/grid/octile.hpp"
 
 namespace wend {

@@ -23,12 +23,12 @@
 #include <utility>
 #include <vector>
 
+#include "wend/base/bucket_queue.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/planner/jump/goal_sight.hpp"
 #include "wend/planner/jump/jump_trail.hpp"
 #include "wend/planner/jump/watched_jumps.hpp"
-#include "wend/search/jump_queue.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/search_outcome.hpp"
 #include "wend/space/grid/octile.hpp"
@@ -82,7 +82,7 @@ class JumpPointSearch {
   template <class Visit>
   std::uint64_t for_each_open(std::size_t most, Visit&& visit) const {
     if (outcome_ != SearchOutcome::running) return 0;
-    return visit_open_jumps(jumps_, queue_, goals_, seer_.node, most, visit);
+    return visit_open_jumps(jumps_, queue_, goals_, least_f_, seer_.node, most, visit);
   }
 
   /// The estimate to the nearest goal of the search begun last, in units.
@@ -124,6 +124,11 @@ class JumpPointSearch {
     }
   };
 
+  struct Entry {
+    Cost f;
+    StateId id;
+  };
+
   template <class Watcher>
   void expand(StateId id, Watcher& watcher);
   template <class Watcher>
@@ -135,7 +140,8 @@ class JumpPointSearch {
                                            Watcher& watcher);
 
   Jumps jumps_;
-  JumpQueue<Cost> queue_;
+  BucketQueue<Entry> queue_;  // by f - least_f_
+  Cost least_f_ = 0;          // that of the start
   GoalSight<Cost> goals_;
   Seer seer_;  // of the cheapest goal
   StateId start_ = 0;
@@ -164,13 +170,14 @@ void JumpPointSearch<Jumps>::begin(Cell start, std::span<const GoalRegion> goals
   seer_ = {};
   goals_.begin(goals, start, jumps_.ground());
   start_ = jumps_.begin(start, goals_.cells());
-  queue_.begin(h(start), kWidthBits);
+  queue_.begin(0, kWidthBits);
+  least_f_ = h(start);
   Node& node = jumps_.node(start_);
   node.stamp = jumps_.stamp(0);
   node.cell = start;
   node.parent = start_;
   node.pending = 1;
-  queue_.push(h(start), start_);
+  queue_.push(0, {least_f_, start_});
   watcher.on_generate(start, start, Cost{0});
 }
 
@@ -179,7 +186,7 @@ template <class Watcher>
 void JumpPointSearch<Jumps>::step(Watcher&& watcher) {
   while (!queue_.empty()) {
     const auto entry = queue_.pop();
-    if (queue_.bucket_is_behind(goals_.best())) break;
+    if (queue_.least_key() > goals_.best() - least_f_) break;
     // It was reached more cheaply or expanded since then.
     if (entry.f >= goals_.best() || jumps_.node(entry.id).pending == 0) continue;
     if (limits_.due(metrics_.expanded)) {
@@ -294,7 +301,7 @@ inline void JumpPointSearch<Jumps>::reach(const Shortcut& shortcut, const Origin
     return;
   }
   jumps_.prefetch(shortcut);
-  queue_.push(f, id);
+  queue_.push(f - least_f_, {f, id});
 }
 
 /// Looks for goals from the jump points that a shortcut passes, and from its end if that has no

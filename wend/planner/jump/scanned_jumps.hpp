@@ -12,9 +12,10 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/large_pages.hpp"
+#include "wend/base/number_table.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/planner/jump/jump_trail.hpp"
-#include "wend/planner/jump/reached_cells.hpp"
 #include "wend/planner/jump/scanned_shortcuts.hpp"
 
 namespace wend {
@@ -49,7 +50,8 @@ class ScannedJumps {
 
   StateId begin(Cell start, std::span<const Cell> /*goals*/) {
     nodes_.clear();
-    return nodes_.at(start);
+    numbers_.clear();
+    return at(start);
   }
 
   Node& node(StateId id) { return nodes_[id]; }
@@ -91,7 +93,7 @@ class ScannedJumps {
     return false;
   }
 
-  StateId end(const Shortcut& shortcut) { return nodes_.at(shortcut.last_jump.cell); }
+  StateId end(const Shortcut& shortcut) { return at(shortcut.last_jump.cell); }
   static Cost cost(const Shortcut& shortcut, Cell from, const Node& end) {
     using Units = OctileUnits<Cost>;
     if (shortcut.straight + shortcut.diagonal == 0) [[unlikely]]
@@ -114,8 +116,20 @@ class ScannedJumps {
  private:
   static constexpr Cost kNever = std::numeric_limits<Cost>::max();
 
+  /// The number of the node at a cell, which is added if it is not there. References to nodes are lost then.
+  StateId at(Cell cell) {
+    std::uint32_t& number = numbers_[std::uint64_t{static_cast<std::uint32_t>(cell.y)} << 32U |
+                                     static_cast<std::uint32_t>(cell.x)];
+    if (number == NumberTable<>::kNone) {
+      number = static_cast<StateId>(nodes_.size());
+      nodes_.emplace_back().cell = cell;
+    }
+    return number;
+  }
+
   ScannedShortcuts shortcuts_;
-  ReachedCells<Node> nodes_;
+  std::vector<Node, LargePages<Node>> nodes_;  // in the order in which they were reached
+  NumberTable<> numbers_;                      // by cell
   std::vector<Cell> cells_;
 };
 

@@ -19,20 +19,21 @@ struct NoJumpWatcher {
   void on_reach(Cell, Cell, auto, bool) const {}
 };
 
-/// JumpPointSearch::for_each_open() of a running search. `queue` is a copy of its own; `seer`: the node from which the
+/// JumpPointSearch::for_each_open() of a running search. `queue` is a copy of its own, by f - least_f; `seer`: the node from which the
 /// cheapest goal was seen.
 template <class Jumps, class Queue, class Goals, class Visit>
-std::uint64_t visit_open_jumps(const Jumps& jumps, Queue queue, const Goals& goals, StateId seer,
-                               std::size_t most, Visit&& visit) {
+std::uint64_t visit_open_jumps(const Jumps& jumps, Queue queue, const Goals& goals,
+                               typename Jumps::Cost least_f, StateId seer, std::size_t most,
+                               Visit&& visit) {
   std::unordered_set<StateId> open;  // older entries of a state are skipped
-  std::optional<std::size_t> bucket;
+  std::optional<std::uint64_t> bucket;
   while (!queue.empty()) {
     const auto entry = queue.pop();
-    if (queue.bucket_is_behind(goals.best())) break;
+    if (queue.least_key() > goals.best() - least_f) break;
     const auto& node = jumps.node(entry.id);
     if (entry.f >= goals.best() || node.pending == 0 || !open.insert(entry.id).second) continue;
     if (open.size() > most) continue;
-    const std::size_t here = queue.bucket_of(entry.f);
+    const std::uint64_t here = queue.least_key();
     visit(node.cell, jumps.node(node.parent).cell, node.g(), here == bucket);
     bucket = here;
   }

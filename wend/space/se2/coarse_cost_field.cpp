@@ -37,10 +37,9 @@ void CoarseCostField::begin(std::span<const Seed> goals, Point start, std::funct
     settled_flags_[square] = 0;
   }
   touched_.clear();
-  for (auto& bucket : buckets_) bucket.clear();
-  far_.clear();
-  next_far_ = kNever;
-  queued_ = bucket_ = taken_ = settled_ = 0;
+  queue_.begin(0, 0);
+  bucket_.clear();
+  taken_ = settled_ = 0;
   start_ = start;
   first_key_ = 0;
   float least = kUnknown;
@@ -104,60 +103,22 @@ void CoarseCostField::improve(int column, int row, std::size_t square, float val
   if (!(value < values_[square] * kWorthwhile)) return;
   if (values_[square] == kUnknown) touched_.push_back(static_cast<std::uint32_t>(square));
   values_[square] = value;
-  push({static_cast<std::uint32_t>(square), column, row, value, key(column, row, value)});
-}
-
-std::size_t CoarseCostField::bucket_of(float key) const {
-  const float ahead = std::max(0.0F, (key - first_key_) * per_width_);
-  return std::max(static_cast<std::size_t>(std::min(ahead, 1e15F)), bucket_);
-}
-
-void CoarseCostField::put(std::size_t bucket, const Waiting& waiting) {
-  buckets_[bucket % kBuckets].push_back(waiting);
-  ++queued_;
-}
-
-/// A square whose bucket is too far ahead for the ring waits aside.
-void CoarseCostField::push(const Waiting& waiting) {
-  const std::size_t bucket = bucket_of(waiting.key);
-  if (bucket < bucket_ + kBuckets) return put(bucket, waiting);
-  next_far_ = std::min(next_far_, bucket);
-  far_.push_back(waiting);
+  const float ahead = std::max(0.0F, (key(column, row, value) - first_key_) * per_width_);
+  const auto bucket = static_cast<std::uint64_t>(std::min(ahead, 1e15F));
+  queue_.push(std::max(bucket, queue_.least_key()),
+              {static_cast<std::uint32_t>(square), column, row, value});
 }
 
 void CoarseCostField::go_to_next_bucket() {
-  buckets_[bucket_ % kBuckets].clear();
+  bucket_.clear();
+  queue_.take_bucket(bucket_);
   taken_ = 0;
-  ++bucket_;
-  if (queued_ == 0) bucket_ = std::max(bucket_, next_far_);
-  if (next_far_ < bucket_ + kBuckets) fetch_far();
-}
-
-/// Moves those from aside into the ring whose time has come.
-void CoarseCostField::fetch_far() {
-  next_far_ = kNever;
-  std::size_t left = 0;
-  for (const Waiting& waiting : far_) {
-    const std::size_t bucket = bucket_of(waiting.key);
-    if (bucket < bucket_ + kBuckets) {
-      put(bucket, waiting);
-    } else {
-      next_far_ = std::min(next_far_, bucket);
-      far_[left++] = waiting;
-    }
-  }
-  far_.resize(left);
 }
 
 bool CoarseCostField::settle_next() {
   while (!exhausted()) {
-    const auto& bucket = buckets_[bucket_ % kBuckets];
-    if (taken_ == bucket.size()) {
-      go_to_next_bucket();
-      continue;
-    }
-    const Waiting next = bucket[taken_++];
-    --queued_;
+    if (taken_ == bucket_.size()) go_to_next_bucket();
+    const Waiting next = bucket_[taken_++];
     if (next.value != values_[next.square]) continue;  // it has got a better value since
     ++settled_;
     settled_flags_[next.square] = 1;
@@ -207,7 +168,7 @@ CoarseCostField::Value CoarseCostField::at(Point point) const {
       sum += shares[i] * values_[square];
       total += shares[i];
     } else if (!exhausted()) {
-      const double reached = first_key_ + static_cast<double>(bucket_) / per_width_;
+      const double reached = first_key_ + static_cast<double>(queue_.least_key()) / per_width_;
       const double bound = reached - straight_distance(point, start_);
       return {std::max(0.0, bound - grid_.size()), false};
     }

@@ -12,10 +12,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "wend/base/bucket_queue.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/space/se2/coarse_grid.hpp"
 #include "wend/space/se2/motion.hpp"
@@ -57,9 +57,6 @@ class CoarseCostField {
   std::size_t settled() const { return settled_; }
 
  private:
-  static constexpr std::size_t kBuckets = 256;
-  static constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
-
   /// The four squares whose middles are around a point, and how far it is between them.
   struct Around {
     std::array<std::size_t, 4> squares;  // left and right below, left and right above
@@ -73,7 +70,6 @@ class CoarseCostField {
     std::int32_t column;
     std::int32_t row;
     float value;
-    float key;
   };
 
   Around around(Point point) const;
@@ -82,26 +78,19 @@ class CoarseCostField {
   void seed(const Seed& goal);
   bool in_sight(int column, int row, int to_column, int to_row) const;
   void improve(int column, int row, std::size_t square, float value);
-  std::size_t bucket_of(float key) const;
-  void put(std::size_t bucket, const Waiting& waiting);
-  void push(const Waiting& waiting);
   void expand(const Waiting& waiting);
   void update(int column, int row, std::size_t square);
   bool settle_next();
   void go_to_next_bucket();
-  void fetch_far();
-  bool exhausted() const { return queued_ == 0 && far_.empty(); }
+  bool exhausted() const { return taken_ == bucket_.size() && queue_.empty(); }
 
   const CoarseGrid& grid_;
   std::vector<float> values_;
   std::vector<std::uint8_t> settled_flags_;
   std::vector<std::uint32_t> touched_;
-  std::array<std::vector<Waiting>, kBuckets> buckets_;
-  std::size_t bucket_ = 0;         // the current one, counted from begin()
-  std::size_t taken_ = 0;          // from the front of the current one
-  std::size_t queued_ = 0;         // in the buckets
-  std::vector<Waiting> far_;       // too far ahead for the buckets
-  std::size_t next_far_ = kNever;  // the first bucket of these
+  BucketQueue<Waiting> queue_;
+  std::vector<Waiting> bucket_;  // the current one
+  std::size_t taken_ = 0;        // from its front
   std::function<bool()> stop_;
   std::size_t settled_ = 0;
   float first_key_ = 0;
