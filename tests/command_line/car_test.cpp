@@ -371,8 +371,7 @@ TEST_F(CarOnARosMap, TalksInMetres) {
   EXPECT_THAT(plan("1,2,E", "1.5,2.5,any").err,
               StartsWith("wend: the goal (1.5,2.5,any) m is blocked"));
   EXPECT_THAT(plan("0,0,E", "1,1,any", {"--cells"}).err,
-              AllOf(HasSubstr("from (0,0,E) to (1,1,any): "),
-                    HasSubstr("the goal (1.5,2.5,any) m is blocked")));
+              StartsWith("wend: the goal (1,1,any) is blocked"));
 }
 
 TEST_F(CarCommand, WritesFilesByTheirNames) {

@@ -86,7 +86,7 @@ TEST_F(Outside, IsWhyARobotDoesNotFitAtTheEdge) {
   const Outcome car =
       in_metres("plan", {"--planner", "car", "--start", "0.1,0.5,E", "--goal", "1.5,0.5,E"});
   EXPECT_EQ(car.code, 1);
-  EXPECT_THAT(car.err, HasSubstr("the robot would leave the map"));
+  EXPECT_THAT(car.err, HasSubstr("the robot would extend beyond the map"));
 }
 
 TEST_F(Outside, LimitsHowWideARobotGetsThrough) {

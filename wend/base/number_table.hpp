@@ -52,7 +52,7 @@ class NumberTable {
   }
 
   [[gnu::noinline]] void grow() {
-    std::vector<Slot, LargePages<Slot>> old(slots_.empty() ? kFirst : 4 * slots_.size());
+    std::vector<Slot, LargePages<Slot>> old(slots_.empty() ? kFirst : 2 * slots_.size());
     old.swap(slots_);
     shift_ = 64 - std::countr_zero(slots_.size());
     for (const Slot& slot : old) {

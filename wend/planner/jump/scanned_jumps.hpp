@@ -5,7 +5,7 @@
 // search reaches. Searches take the same paths as with KnownJumps, because both give the same shortcuts in the
 // same order; KnownJumps only leaves out dead ends, through which no shortest path leads.
 //
-// 40 bytes per jump point reached. One thread.
+// 40 bytes per jump point reached, and 32 to 64 in the table of their numbers. One thread.
 
 #include <cstdint>
 #include <limits>

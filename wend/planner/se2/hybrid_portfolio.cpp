@@ -27,6 +27,23 @@ constexpr std::uint64_t kMostKept = 50'000;  // poses of a search that keeps its
 
 }  // namespace
 
+/// By Kind.
+constexpr std::array<HybridPortfolio::KindOfSearch, HybridPortfolio::kKinds>
+    HybridPortfolio::kSearches{{
+        {quick, Motions::coarse, Direction::from_start},
+        {closer, Motions::coarse, Direction::from_goal},
+        {closer_and_wide, Motions::coarse, Direction::from_start},
+        {finest, Motions::fine, Direction::from_start},
+        {finest, Motions::shuffles, Direction::from_start},
+        {finest, Motions::shuffles, Direction::from_goal},
+        {finest, Motions::close_shuffles, Direction::from_start},
+        {finest, Motions::close_shuffles, Direction::from_goal},
+        {finest, Motions::wider_shuffles, Direction::from_start},
+        {finest, Motions::wider_shuffles, Direction::from_goal},
+        {finest, Motions::lattice, Direction::from_start},
+        {finest, Motions::lattice, Direction::from_goal},
+    }};
+
 HybridPortfolio::HybridPortfolio(std::shared_ptr<const HybridGround> ground,
                                  const Steering& steering, const HybridResolution& resolution,
                                  HybridBudget budget)
@@ -39,29 +56,16 @@ HybridPortfolio::HybridPortfolio(std::shared_ptr<const HybridGround> ground,
   if (!budget_.clock) budget_.clock = cpu_seconds;
 }
 
-bool HybridPortfolio::from_goal(Kind kind) {
-  return kind == backward || kind == shuffle_backward || kind == close_shuffle_backward ||
-         kind == wider_shuffle_backward || kind == lattice_backward;
-}
-
-HybridPortfolio::Squares HybridPortfolio::squares_of(Kind kind) {
-  if (kind == direct) return quick;
-  if (kind == backward) return closer;
-  return kind == wide ? closer_and_wide : finest;
-}
-
-HybridResolution HybridPortfolio::resolution_of(Kind kind) const {
+HybridResolution HybridPortfolio::resolution_of(Motions motions) const {
   constexpr double kCloser = 2;
-  HybridResolution resolution = resolution_;
-  if (kind < fine) return resolution;
-  if (kind == shuffle || kind == shuffle_backward) return shuffle_resolution(steering_, 1);
-  if (kind == close_shuffle || kind == close_shuffle_backward)
-    return shuffle_resolution(steering_, kCloser);
-  if (is_wider(kind)) return shuffle_resolution(wider_steering_, kCloser);
-  resolution = times_finer(resolution, kFiner);
+  if (motions == Motions::coarse) return resolution_;
+  if (motions == Motions::shuffles) return shuffle_resolution(steering_, 1);
+  if (motions == Motions::close_shuffles) return shuffle_resolution(steering_, kCloser);
+  if (motions == Motions::wider_shuffles) return shuffle_resolution(wider_steering_, kCloser);
+  HybridResolution resolution = times_finer(resolution_, kFiner);
   resolution.trace_spacing *= 0.4;
   resolution.trace_period = 2;
-  if (kind >= lattice) {
+  if (motions == Motions::lattice) {
     resolution.position = LatticeMotions::kSpacing;
     resolution.headings = static_cast<int>(LatticeMotions::kHeadings);
   }
@@ -129,27 +133,32 @@ const CoarseGrid* HybridPortfolio::grid_of(Squares squares) {
   return grid.get();
 }
 
-bool HybridPortfolio::is_wider(Kind kind) const {
-  return kind == wider_shuffle || kind == wider_shuffle_backward;
-}
-
-const GoalRing& HybridPortfolio::ring_of(Kind kind) {
-  if (!is_wider(kind)) return ring_;
+const GoalRing& HybridPortfolio::ring_of(const KindOfSearch& kind) {
+  if (kind.motions != Motions::wider_shuffles) return ring_;
   if (!wider_ring_) wider_ring_.emplace(wider_steering_);
   return *wider_ring_;
+}
+
+/// Can the search help with this query? One from the goal needs to know the pose there.
+bool HybridPortfolio::suits(const KindOfSearch& kind) const {
+  if (kind.shuffles() && !may_shuffle()) return false;
+  if (!kind.from_goal()) return true;
+  if (goals_.size() != 1) return false;
+  return kind.shuffles() ? !goals_.front().any_heading : goals_.front().wants_heading();
 }
 
 /// Null if a limit ends the query before.
 HybridSearch* HybridPortfolio::search_of(Kind kind) {
   Member& member = members_[kind];
   if (!member.search) {
-    const CoarseGrid* const grid = grid_of(squares_of(kind));
+    const KindOfSearch& parts = kSearches[kind];
+    const CoarseGrid* const grid = grid_of(parts.squares);
     if (grid == nullptr) return nullptr;
-    const auto direction =
-        from_goal(kind) ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
+    const bool wider = parts.motions == Motions::wider_shuffles;
     member.search = std::make_unique<HybridSearch>(
-        ground_->check(), is_wider(kind) ? wider_steering_ : steering_, ring_of(kind), *grid,
-        resolution_of(kind), direction, kind >= lattice ? lattice_.get() : nullptr);
+        ground_->check(), wider ? wider_steering_ : steering_, ring_of(parts), *grid,
+        resolution_of(parts.motions), parts.direction,
+        parts.motions == Motions::lattice ? lattice_.get() : nullptr);
   }
   if (!member.begun) {
     member.search->begin(start_, goals_, observer_, [this] { return interrupted().has_value(); });
@@ -201,8 +210,7 @@ std::optional<SearchOutcome> HybridPortfolio::take_turn(Kind kind, std::uint64_t
   const SearchOutcome outcome = run_member(kind, most);
   if (member.begun && member.search->has_path()) finder_ = member.search.get();
   if (outcome == SearchOutcome::running) {
-    const bool shuffles = kind >= shuffle && kind < lattice;
-    member.over = shuffles && member.search->metrics().expanded >= most_shuffles_;
+    member.over = kSearches[kind].shuffles() && member.search->metrics().expanded >= most_shuffles_;
     return std::nullopt;
   }
   if (outcome != SearchOutcome::exhausted) return outcome;
@@ -225,10 +233,9 @@ bool HybridPortfolio::all_over(std::span<const Kind> kinds) const {
 void HybridPortfolio::begin(const Pose& start, std::span<const HybridGoal> goals,
                             const Limits& limits, SearchObserver* observer) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
-  for (Member& member : members_) member.begun = member.over = false;
   finder_ = nullptr;
   most_shuffles_ = kMostShuffles;
-  const HybridResolution finest = resolution_of(fine);
+  const HybridResolution finest = resolution_of(Motions::fine);
   no_drive_ = {.box = finest.position, .headings = finest.headings, .step = finest.step};
   start_ = start;
   goals_ = goals;
@@ -238,13 +245,10 @@ void HybridPortfolio::begin(const Pose& start, std::span<const HybridGoal> goals
   limit_ = counted ? limits.expansions : budget_.expansions;
   end_seconds_ = limits.timed() ? limits.now() + limits.seconds : kNever;
   budget_end_ = counted || limits.seconds < kNever ? kNever : budget_.clock() + budget_.seconds;
-  const bool one_goal = goals.size() == 1;
-  members_[backward].over = !one_goal || !goals.front().wants_heading();
-  members_[shuffle_backward].over = !one_goal || goals.front().any_heading;
-  members_[close_shuffle_backward].over = members_[shuffle_backward].over;
-  members_[wider_shuffle_backward].over = members_[shuffle_backward].over;
-  if (may_shuffle()) return;
-  for (std::size_t kind = shuffle; kind < lattice; ++kind) members_[kind].over = true;
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    members_[kind].begun = false;
+    members_[kind].over = !suits(kSearches[kind]);
+  }
 }
 
 SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal> goals,
@@ -298,13 +302,14 @@ SearchOutcome HybridPortfolio::take_course() {
 
 /// Runs the floods, and leaves out the searches that one of them shows to be of no use.
 void HybridPortfolio::flood(std::uint64_t most, Course& course) {
-  using Direction = PoseFlood::Direction;
   const MotionCheck& check = ground_->check();
   if (!to_goal_) {
-    to_goal_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::to_goal);
+    to_goal_ =
+        std::make_unique<PoseFlood>(check, steering_, resolution_, PoseFlood::Direction::to_goal);
   }
   if (!from_start_) {
-    from_start_ = std::make_unique<PoseFlood>(check, steering_, resolution_, Direction::from_start);
+    from_start_ = std::make_unique<PoseFlood>(check, steering_, resolution_,
+                                              PoseFlood::Direction::from_start);
   }
   if (!flooded_) {
     to_goal_->begin(goals_);

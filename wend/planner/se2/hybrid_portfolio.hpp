@@ -83,6 +83,20 @@ class HybridPortfolio {
   enum Squares : std::size_t { quick, closer, closer_and_wide, finest };
   static constexpr std::size_t kSquares = 4;
 
+  using Direction = HybridSearch::Direction;
+  /// What a search drives. Wider shuffles have wider arcs.
+  enum class Motions { coarse, fine, shuffles, close_shuffles, wider_shuffles, lattice };
+
+  struct KindOfSearch {
+    Squares squares;
+    Motions motions;
+    Direction direction;
+
+    bool shuffles() const { return motions >= Motions::shuffles && motions < Motions::lattice; }
+    bool from_goal() const { return direction == Direction::from_goal; }
+  };
+  static const std::array<KindOfSearch, kKinds> kSearches;
+
   struct Member {
     std::unique_ptr<HybridSearch> search;
     bool begun = false;
@@ -97,14 +111,12 @@ class HybridPortfolio {
     bool shuffles_due = false;  // have the others had their first turn?
   };
 
-  static bool from_goal(Kind kind);
-  static Squares squares_of(Kind kind);
-  HybridResolution resolution_of(Kind kind) const;
+  HybridResolution resolution_of(Motions motions) const;
   double shuffle_length() const;
   bool may_shuffle() const;
   HybridResolution shuffle_resolution(const Steering& steering, double finer) const;
-  bool is_wider(Kind kind) const;
-  const GoalRing& ring_of(Kind kind);
+  const GoalRing& ring_of(const KindOfSearch& kind);
+  bool suits(const KindOfSearch& kind) const;
   const CoarseGrid* grid_of(Squares squares);
   HybridSearch* search_of(Kind kind);
 

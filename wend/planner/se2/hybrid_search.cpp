@@ -314,20 +314,24 @@ bool HybridSearch::add(Index parent, std::span<const Motion> motions, double cos
   std::uint32_t& seen = seen_[node.pose];
   const bool again = seen != kNone;
   if (again && nodes_[seen].g + nodes_[seen].h <= node.g + node.h) return false;
-  node.parent = parent;
-  node.first_motion = static_cast<Index>(motions_.size());
-  node.motion_count = static_cast<std::uint16_t>(motions.size());
   node.traced = traced;
   node.age = static_cast<std::uint8_t>(traced ? 0 : std::min(from.age + 1, 255));
   seen = static_cast<Index>(nodes_.size());
-  motions_.insert(motions_.end(), motions.begin(), motions.end());
   open_.push_back({f_of(node), seen});
   std::push_heap(open_.begin(), open_.end());
-  nodes_.push_back(node);
+  keep(node, parent, motions);
   ++metrics_.generated;
   metrics_.max_frontier = std::max<std::uint64_t>(metrics_.max_frontier, open_.size());
   if (observer_ != nullptr) tell(node, false);
   return true;
+}
+
+void HybridSearch::keep(Node& node, Index parent, std::span<const Motion> motions) {
+  node.parent = parent;
+  node.first_motion = static_cast<Index>(motions_.size());
+  node.motion_count = static_cast<std::uint16_t>(motions.size());
+  motions_.insert(motions_.end(), motions.begin(), motions.end());
+  nodes_.push_back(node);
 }
 
 void HybridSearch::expand_trace(Index node) {
@@ -401,11 +405,7 @@ bool HybridSearch::try_goal(Index node, const HybridGoal& goal) {
       end.pose = to;
       end.g += *cost;
       end.h = 0;
-      end.parent = node;
-      end.first_motion = static_cast<Index>(motions_.size());
-      end.motion_count = static_cast<std::uint16_t>(word.count);
-      motions_.insert(motions_.end(), word.all().begin(), word.all().end());
-      nodes_.push_back(end);
+      keep(end, node, word.all());
       offer_goal(static_cast<Index>(nodes_.size() - 1), goal);
       reached = true;
       break;

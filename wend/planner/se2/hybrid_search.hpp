@@ -114,6 +114,7 @@ class HybridSearch {
   void join_lattice(Index node);
   bool add(Index parent, std::span<const Motion> motions, double cost, bool traced,
            const Pose* exactly = nullptr);
+  void keep(Node& node, Index parent, std::span<const Motion> motions);
   void offer_goal(Index node, const HybridGoal& goal);
   void write_way(const Node& node);
   void tell(const Node& node, bool expanded);
