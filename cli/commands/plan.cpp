@@ -232,7 +232,7 @@ Command add_plan(Parser& app) {
           "--queries", arguments->queries,
           wrapped("Answer every row of a CSV file instead. Its header names the columns "
                   "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
-                  "status, a reason and the cost and length of the path; limits are of each row"))
+                  "status, a reason and the cost and length of the path"))
       .type_name(kFileType);
   add_count(
       plan, "--threads", arguments->threads,

@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
+#include <string>
 
 #include "tests/command_line/run_program.hpp"
+#include "wend/session/request_fields.hpp"
 
 namespace wend::test {
 namespace {
@@ -115,6 +118,23 @@ TEST_F(Arguments, OutOfRangeAreRefusedWithTheRange) {
     EXPECT_EQ(outcome.code, 2) << wrong.command;
     EXPECT_THAT(outcome.err, HasSubstr(wrong.message)) << wrong.command;
   }
+}
+
+TEST_F(Arguments, HaveAFlagForEveryFieldOfARequest) {
+  std::set<std::string> without;
+  for (const std::string command : {"plan", "follow"}) {
+    const std::string help = in_folder(command + " --help-all").out;
+    for (const RequestField& field : request_fields()) {
+      if (field.flag.empty()) {
+        without.insert(field.info.name);
+      } else {
+        EXPECT_THAT(help, HasSubstr("\n  --" + field.flag + " ")) << command;
+      }
+    }
+  }
+  // What the command line says in another way. A new field has a flag.
+  EXPECT_THAT(without, testing::ElementsAre("explain", "from_field", "goal_heading_tolerance",
+                                            "goal_tolerance", "keep", "spacing", "straighten"));
 }
 
 TEST_F(Arguments, HaveFormerNamesThatDoTheSame) {

@@ -102,9 +102,8 @@ std::vector<RequestField> make_fields() {
                        "how far from its goal's heading a path may end", {"heading_tolerance"})),
       with_flag("limit-time",
                 number("time_limit", "s", kInfinity, unset.limits.seconds, &put_seconds,
-                       "limit on the time of the whole call, in seconds: on making the free space "
-                       "and the planner, the search, the reason of a failure, and what is done "
-                       "with the path",
+                       "limit on the time of the whole call, s: making of space and planner, "
+                       "search, reason of a failure, refinement of the path",
                        {"seconds"})),
       with_flag("limit-expansions", count("expansions", kInfinity, &put_expansions,
                                           "limit on the number of states to expand")),
