@@ -228,11 +228,10 @@ Command add_plan(Parser& app) {
             "heading may be left out or any")
       .type_name("X,Y[,HEADING]");
   add_goal_tolerance(plan, arguments->ends.tolerance);
-  plan.add_option(
-          "--queries", arguments->queries,
-          wrapped("Answer every row of a CSV file instead. Its header names the columns "
-                  "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
-                  "status, a reason and the cost and length of the path"))
+  plan.add_option("--queries", arguments->queries,
+                  wrapped("Answer every row of a CSV file instead. Its header names the columns "
+                          "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
+                          "status, a reason and the cost and length of the path"))
       .type_name(kFileType);
   add_count(
       plan, "--threads", arguments->threads,

@@ -21,6 +21,7 @@
 #include "python/src/errors.hpp"
 #include "python/src/interrupts.hpp"
 #include "wend/geometry/direction.hpp"
+#include "wend/session/eased_query.hpp"
 
 namespace nb = nanobind;
 

@@ -35,19 +35,26 @@ std::optional<RobotTooLarge> size_if_too_large(const FreeSpace& space) {
   return RobotTooLarge{box.high.x - box.low.x, box.high.y - box.low.y};
 }
 
+/// Is an obstacle of this kind too near to the middle of a cell for the robot's disc?
+template <class Kind>
+bool any_too_near(const FreeSpace& space, Cell cell, Kind is_of_kind) {
+  const Point centre = centre_of(cell);
+  const Box near = Box(centre).grown_by(space.radius_in_cells());
+  return any_obstacle(space, near, [&](Cell square) {
+    const double away = distance(centre, square);
+    return !space.far_enough(4 * away * away) && is_of_kind(square);
+  });
+}
+
 /// The mask whose cells are too near for the robot's disc, if no obstacle is.
 std::optional<std::string> mask_near(const FreeSpace& space, Cell cell) {
-  const Point centre = centre_of(cell);
   std::optional<std::string> mask;
-  const auto is_obstacle = [&](Cell square) {
-    const double away = distance(centre, square);
-    if (space.far_enough(4 * away * away)) return false;
+  const bool obstacle = any_too_near(space, cell, [&](Cell square) {
     const auto name = mask_at(space, square);
     if (name) mask = name;
     return !name;
-  };
-  const Box near = Box(centre).grown_by(space.radius_in_cells());
-  return any_obstacle(space, near, is_obstacle) ? std::nullopt : mask;
+  });
+  return obstacle ? std::nullopt : mask;
 }
 
 FailureCause cause_of(const FreeSpace& space, EndIndex end, Cell cell, BlockReason reason) {
@@ -58,6 +65,9 @@ FailureCause cause_of(const FreeSpace& space, EndIndex end, Cell cell, BlockReas
   if (reason == BlockReason::too_close || reason == BlockReason::over_edge) {
     blocked.distance = space.clearance(cell);
     if (reason == BlockReason::too_close) blocked.mask = mask_near(space, cell);
+  }
+  if (reason == BlockReason::over_edge) {
+    blocked.fits_beyond_edge = !any_too_near(space, cell, [](Cell) { return true; });
   }
   return blocked;
 }

@@ -54,9 +54,10 @@ struct EndBlocked {
   BlockReason reason = BlockReason::obstacle;  // what is so
   std::optional<Cell> cell = {};  // that is blocked, or the one from whose middle `distance` counts
   std::optional<std::string> mask =
-      {};               // the name of the keep-out mask that blocks; empty: it has none
-  double distance = 0;  // too_close, over_edge: to the nearest obstacle or edge
-  double radius = 0;    // of the robot; of a polygon: of the disc around it
+      {};                         // the name of the keep-out mask that blocks; empty: it has none
+  double distance = 0;            // too_close, over_edge: to the nearest obstacle or edge
+  bool fits_beyond_edge = false;  // over_edge: is no obstacle too near as well?
+  double radius = 0;              // of the robot; of a polygon: of the disc around it
   std::optional<Contact> contact = {};  // overlaps, leaves: what the polygon touches
   bool at_every_heading = false;        // that was tried; the rest is so at heading 0
 };

@@ -147,7 +147,9 @@ std::string FailureText::why(const EndBlocked& blocked, const Failure& failure) 
              (blocked.mask ? ": it is " + mask_text(*blocked.mask) : "");
     case BlockReason::over_edge:
       return "the robot would extend beyond the map: " + too_near(blocked, failure, "the edge") +
-             (hints_.outside_free.empty() ? "" : " (" + hints_.outside_free + " allows it)");
+             (hints_.outside_free.empty() || !blocked.fits_beyond_edge
+                  ? ""
+                  : " (" + hints_.outside_free + " allows it)");
     case BlockReason::overlaps:
     case BlockReason::leaves:
       if (blocked.contact) return describe(*blocked.contact, space_);
