@@ -181,7 +181,7 @@ TEST_F(Watching, GoesBackAsWellAsOn) {
     at = place("expansion " + std::to_string(expansions) + ": ", at) + 1;
   }
   EXPECT_EQ(outcome.out.find("expansion ", at), std::string::npos);
-  EXPECT_THAT(outcome.err, HasSubstr("cancelled after 1 expansions"));
+  EXPECT_THAT(outcome.err, HasSubstr("cancelled after 1 expansion"));
 }
 
 /// What is shown of a moment does not depend on how one got there.

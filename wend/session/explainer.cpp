@@ -103,7 +103,7 @@ std::string Explainer::ways_out(const Planner& planner, const Query& query) cons
   const auto way = way_out(planner, query.start, std::min(far, 4 * kFarCells), kFewPlaces);
   if (!way && allowed == 0) return {};
   if (!way) return ". No way out of it was found along which the robot does not go deeper";
-  const std::string lets = hints_.escape + ' ' + hint_of_length(way->length) +
+  const std::string lets = with_value(hints_.escape, hint_of_length(way->length)) +
                            " lets the robot leave it, by a way of " + units_.length(way->length);
   if (allowed == 0) return "; " + lets;
   return ". The way out is longer than the " + units_.length(allowed) + " allowed: " + lets;
@@ -127,7 +127,7 @@ std::string Explainer::planned_from(double away, bool is_start, std::string_view
   if (leeway_ && leeway_->nearest && is_far) return too_far(away);
   if (hints_.nearest.empty() || (is_far && hints_.nearest_limit.empty())) return {};
   const std::string limit =
-      is_far ? ' ' + hints_.nearest_limit + ' ' + hint_of_length(away) : std::string();
+      is_far ? ' ' + with_value(hints_.nearest_limit, hint_of_length(away)) : std::string();
   return ": " + hints_.nearest + limit + " plans " + (is_start ? "from" : "to") + " that " +
          std::string(place);
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 
@@ -13,6 +16,11 @@ namespace wend {
 namespace {
 
 std::string rounded(double value) { return format_number(std::round(value * 1e4) / 1e4); }
+
+/// "1 step", "2 steps"
+std::string counted(std::uint64_t count, std::string_view what) {
+  return std::to_string(count) + ' ' + std::string(what) + (count == 1 ? "" : "s");
+}
 
 /// "the goal (3,4)", or "any of the 2 goals"
 std::string goals_text(const Ends& ends) {
@@ -47,9 +55,13 @@ Place place_of(EndIndex index, const Failure& failure, const Units& units) {
 
 }  // namespace
 
+std::string with_value(const std::string& hint, const std::string& value) {
+  return hint + (hint.ends_with('=') ? "" : " ") + value;
+}
+
 std::string in_brackets(const std::string& hint, const std::string& value) {
   if (hint.empty()) return {};
-  return " (" + hint + (value.empty() ? "" : " " + value) + ')';
+  return " (" + (value.empty() ? hint : with_value(hint, value)) + ')';
 }
 
 std::string joined_texts(const std::vector<std::string>& texts, std::string_view separator) {
@@ -249,7 +261,7 @@ std::string FailureText::of(const InvalidQuery& invalid) const {
 
 std::string FailureText::stopped(Status status, const Stopped& limits,
                                  const SearchMetrics& metrics) const {
-  const std::string expansions = std::to_string(metrics.expanded) + " expansions";
+  const std::string expansions = counted(metrics.expanded, "expansion");
   switch (status) {
     case Status::expansion_limit:
       if (limits.expansions == Limits::kUnlimited) {
@@ -267,7 +279,7 @@ std::string FailureText::stopped(Status status, const Stopped& limits,
     case Status::cancelled:
       return "cancelled after " + expansions;
     case Status::step_limit:
-      return "the walk ended after " + std::to_string(metrics.expanded - 1) + " steps" +
+      return "the walk ended after " + counted(metrics.expanded - 1, "step") +
              in_brackets(hints_.limit_steps);
     default:
       return std::string(describe(status));

@@ -57,6 +57,9 @@ class FailureText {
   const Hints& hints_;
 };
 
+/// "--escape 0.5", or "escape=0.5".
+std::string with_value(const std::string& hint, const std::string& value);
+
 /// " (--unknown free)"; empty for an empty hint.
 std::string in_brackets(const std::string& hint, const std::string& value = {});
 
