@@ -166,12 +166,16 @@ class BucketQueue {
         std::min_element(far_.begin(), far_.end(),
                          [](const FarEntry& a, const FarEntry& b) { return a.key < b.key; });
     go_to(least->key >> width_bits_);
-    const auto due = std::stable_partition(far_.begin(), far_.end(), [this](const FarEntry& far) {
-      return far.key >> width_bits_ >= horizon_;
-    });
-    size_ -= static_cast<std::size_t>(far_.end() - due);
-    for (auto far = due; far != far_.end(); ++far) push(far->key, far->entry);
-    far_.erase(due, far_.end());
+    auto kept = far_.begin();
+    for (const FarEntry far : far_) {
+      if (far.key >> width_bits_ >= horizon_) {
+        *kept++ = far;
+        continue;
+      }
+      --size_;  // push() counts it again
+      push(far.key, far.entry);
+    }
+    far_.erase(kept, far_.end());
     return current_ % kBuckets;
   }
 

@@ -153,10 +153,10 @@ std::string Explainer::opened_by_unknown(const Planner& planner, const Query& qu
     return {};
   }
   options.unknown = UnknownPolicy::free;
-  auto opened = make_free_space(space_.map(), std::move(options));
+  auto opened = make_free_space(space_.map(), options);
   const auto trial = planner.clone();
   if (!opened || !trial || !trial->update(*std::move(opened))) return {};
-  Query tried{query.start, query.goals, limits_of_a_trial(deadline_)};
+  const Query tried{query.start, query.goals, limits_of_a_trial(deadline_)};
   Plan plan;
   if (trial->plan(tried, plan) != Status::found) return {};
   return ". A path exists with unknown cells free" + in_brackets(hints_.unknown_free);
@@ -303,7 +303,7 @@ std::vector<std::string> Explainer::changes(const NoDrive& why) const {
 
 std::string Explainer::explain(const NoDrive& why) const {
   if (why.drive_exists()) return "there is a drive";
-  const std::string reason = words(why.failure);
+  std::string reason = words(why.failure);
   const auto helps = changes(why);
   if (helps.empty()) return reason;
   return reason + ". A drive exists with " + joined_texts(helps, "; or ");

@@ -212,9 +212,9 @@ std::string FailureText::of(const NoDriveFound& why, const Ends& ends) const {
   const std::string goal = goals_text(ends);
   switch (why.why) {
     case NoDriveFound::Why::parted: {
-      const std::string text = "there is no path from start " + ends.start.text + " to " +
-                               (ends.goals.size() == 1 ? "goal " + ends.goals.front().text : goal) +
-                               ": obstacles separate the two";
+      std::string text = "there is no path from start " + ends.start.text + " to " +
+                         (ends.goals.size() == 1 ? "goal " + ends.goals.front().text : goal) +
+                         ": obstacles separate the two";
       if (why.disc_radius == 0) return text;
       return text + ", even for " +
              (space_.footprint().covers_base_point() ? "the largest disc within the robot"

@@ -2,6 +2,7 @@
 
 namespace wend {
 
+// The list may be another one: lab/wasm/first has none.
 #define WEND_SMOOTHER(name) SmootherInfo name##_smoother();
 #include "wend/path/smoothing/smoothers.def"
 
