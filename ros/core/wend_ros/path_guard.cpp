@@ -57,9 +57,8 @@ std::vector<wend::MapPose> way_ahead(const wend::Route& route, std::size_t leg, 
   for (double along = along_leg; leg < route.legs().size() && left > 0; ++leg, along = 0) {
     append_leg(route.legs()[leg], along, left, poses);
   }
-  if (left > 0 && route.final_heading()) {
-    poses.push_back({route.end().x, route.end().y, *route.final_heading()});
-  }
+  const auto heading = route.final_heading();
+  if (left > 0 && heading) poses.push_back({route.end().x, route.end().y, *heading});
   return poses;
 }
 
@@ -115,6 +114,7 @@ wend::Footprint swept_footprint(const wend::Footprint& robot, double margin) {
   }
   const double share = std::max(0.5, 1 - margin / farthest);
   std::vector<wend::Point> nearer;
+  nearer.reserve(corners.size());
   for (const wend::Point corner : corners) {
     nearer.push_back(
         {middle.x + share * (corner.x - middle.x), middle.y + share * (corner.y - middle.y)});
@@ -137,6 +137,7 @@ std::optional<std::string> PathGuard::why_blocked(const GuardedSpace& on, const 
   if (robot.along_leg == 0 && robot.pose) all = turn_before(*robot.pose, way.front());
   all.insert(all.end(), way.begin(), way.end());
   std::vector<wend::Pose> poses;
+  poses.reserve(all.size());
   for (const wend::MapPose& pose : all) poses.push_back(to_grid(on, pose));
   // Only a point can pass between two obstacles that touch at a corner, and its planner has been told so.
   constexpr auto kCorners = wend::Adjacency::edges_and_corners;
