@@ -115,7 +115,7 @@ def test_no_path_says_why() -> None:
 def test_leads_out_of_what_blocks_the_start(planner: str) -> None:
     space = room()
     ends = (1.15, 0.55, 0.2), (2.5, 0.25)
-    with pytest.raises(wend.NoPath, match="escape= 0."):
+    with pytest.raises(wend.NoPath, match=r"escape=0\."):
         space.plan(*ends, planner)
     plan = space.plan(*ends, planner, escape=0.3)
     assert plan.lead_out is not None and plan.notes
