@@ -93,8 +93,8 @@ Failure Planner::failure(const Query& query, Status status) const {
 }
 
 std::vector<FailureCause> Planner::do_failure(const Query& query, Status status) const {
-  if (!do_grid_moves()) return {};
-  return causes_in_cells(free_space(), query, status);
+  return do_grid_moves() ? causes_in_cells(free_space(), query, status)
+                         : std::vector<FailureCause>();
 }
 
 std::optional<Pose> Planner::do_place_of(const Pose& pose) const {

@@ -162,12 +162,10 @@ std::string FailureText::why(const EndBlocked& blocked, const Failure& failure) 
              (hints_.outside_free.empty() || !blocked.fits_beyond_edge
                   ? ""
                   : " (" + hints_.outside_free + " allows it)");
+    case BlockReason::outside:
     case BlockReason::overlaps:
     case BlockReason::leaves:
       if (blocked.contact) return describe(*blocked.contact, space_);
-      break;
-    case BlockReason::outside:
-      break;
   }
   return "it is " + std::string(describe(blocked.reason));
 }
