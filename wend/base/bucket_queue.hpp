@@ -81,10 +81,12 @@ class BucketQueue {
     return entry;
   }
 
-  /// Moves the entries of the lowest bucket into an empty vector, in the order of their pushes. The queue must not be
-  /// empty.
+  /// Moves the entries of the lowest bucket into a vector, in the order of their pushes. The queue must not be empty.
+  /// The bucket keeps its memory, so that a search that is repeated takes none.
   void take_bucket(std::vector<Entry>& taken) {
-    taken.swap(lowest());
+    std::vector<Entry>& bucket = lowest();
+    taken.assign(bucket.begin(), bucket.end());
+    bucket.clear();
     size_ -= taken.size();
   }
 
