@@ -40,6 +40,13 @@ class CappedDistances {
   /// The squared distance of a cell, in half-cells: exact if it is less than far(), else far().
   std::uint32_t operator[](Cell cell) const { return static_cast<std::uint32_t>(squared_[cell]); }
 
+  /// The same for the cells of a row, from the first on.
+  void read_row(int y, std::span<std::uint32_t> squared) const {
+    const auto row = squared_.row(y);
+    for (std::size_t x = 0; x < squared.size(); ++x)
+      squared[x] = static_cast<std::uint32_t>(row[x]);
+  }
+
   /// Computes the distances again that can have changed because cells in a box of the map did: those at
   /// most `cap` cells from it. Returns a box of those that changed. O(cells in reach).
   CellBox repair(const BitGrid& blocked, const CellBox& edited);

@@ -1,18 +1,11 @@
 #include "wend/map/cost_map.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "wend/geometry/cell.hpp"
 
 namespace wend {
-
-std::optional<std::uint32_t> CostMap::rounded(double multiplier) {
-  const double steps = std::floor(multiplier * kOne + 0.5);
-  if (!(steps <= static_cast<double>(kMost))) return std::nullopt;
-  return std::max(kOne, static_cast<std::uint32_t>(std::max(steps, 0.0)));
-}
 
 std::uint32_t CostMap::most_steps() const {
   if (wide_.empty()) return uniform() ? kOne : kMostNarrow;
@@ -25,19 +18,42 @@ std::size_t CostMap::bytes_per_cell() const {
   return wide_.empty() ? 0 : sizeof(std::uint32_t);
 }
 
+void CostMap::make_room(std::uint32_t most) {
+  if (!wide_.empty()) return;
+  if (most > kMostNarrow) {
+    Grid<std::uint32_t> wide(width_, height_, kOne);
+    for (int y = 0; y < height_ && !narrow_.empty(); ++y) {
+      std::ranges::copy(narrow_.row(y), wide.row(y).begin());
+    }
+    wide_ = std::move(wide);
+    narrow_ = {};
+  } else if (narrow_.empty()) {
+    narrow_ = Grid<std::uint16_t>(width_, height_, static_cast<std::uint16_t>(kOne));
+  }
+}
+
+void CostMap::set_row(int y, std::span<const std::uint32_t> steps) {
+  std::uint32_t most = kOne;
+  std::size_t dear = 0;
+  for (const std::uint32_t each : steps) {
+    most = std::max(most, each);
+    dear += each == kOne ? 0 : 1;
+  }
+  if (dear == 0) return;
+  dear_ += dear;
+  make_room(most);
+  if (wide_.empty()) {
+    std::ranges::transform(steps, narrow_.row(y).begin(),
+                           [](std::uint32_t each) { return static_cast<std::uint16_t>(each); });
+  } else {
+    std::ranges::copy(steps, wide_.row(y).begin());
+  }
+}
+
 void CostMap::set(Cell cell, std::uint32_t steps) {
   const std::uint32_t before = this->steps(cell);
   if (steps == before) return;
-  if (wide_.empty() && steps > kMostNarrow) {
-    Grid<std::uint32_t> wide(width_, height_, kOne);
-    if (!narrow_.empty()) {
-      for (const Cell other : every_cell(wide)) wide[other] = narrow_[other];
-      narrow_ = {};
-    }
-    wide_ = std::move(wide);
-  } else if (wide_.empty() && narrow_.empty()) {
-    narrow_ = Grid<std::uint16_t>(width_, height_, static_cast<std::uint16_t>(kOne));
-  }
+  make_room(steps);
   if (wide_.empty()) {
     narrow_[cell] = static_cast<std::uint16_t>(steps);
   } else {

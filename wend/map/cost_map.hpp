@@ -11,11 +11,13 @@
 //
 //   const auto steps = wend::CostMap::rounded(1.5);  // 384
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/deadline.hpp"
@@ -34,7 +36,11 @@ class WEND_API CostMap {
   static constexpr double kLargest = static_cast<double>(kMost) / kOne;
 
   /// The nearest number of steps to a multiplier, at least kOne; nothing above kLargest, and for NaN.
-  static std::optional<std::uint32_t> rounded(double multiplier);
+  static std::optional<std::uint32_t> rounded(double multiplier) {
+    const double steps = multiplier * kOne + 0.5;
+    if (!(steps < 1.0 + kMost)) return std::nullopt;
+    return std::max(kOne, static_cast<std::uint32_t>(std::max(steps, 0.0)));
+  }
 
   /// Every cell costs 1. For set(), its size must be known.
   CostMap() = default;
@@ -42,23 +48,14 @@ class WEND_API CostMap {
   /// The same, for a map of this size.
   CostMap(int width, int height) : width_(width), height_(height) {}
 
-  /// Takes `steps_of(cell)`, at least kOne, for each cell of a map. Calls it at most twice for a cell.
-  template <class StepsOf>
-  CostMap(int width, int height, StepsOf&& steps_of, DeadlineCheck& stop = DeadlineCheck::never())
-      : width_(width), height_(height) {
-    std::uint32_t most = kOne;
+  /// Calls `write_row(y, steps)` once for each row of a map, in order, and takes the steps that it writes, at least kOne.
+  template <class WriteRow>
+  CostMap(int width, int height, WriteRow&& write_row, DeadlineCheck& stop = DeadlineCheck::never())
+      : CostMap(width, height) {
+    std::vector<std::uint32_t> row(static_cast<std::size_t>(width));
     for (int y = 0; y < height && !stop.now(); ++y) {
-      for (int x = 0; x < width; ++x) {
-        const std::uint32_t steps = steps_of(Cell{x, y});
-        most = steps > most ? steps : most;
-        dear_ += steps == kOne ? 0 : 1;
-      }
-    }
-    if (dear_ == 0 || stop.has_passed()) return;
-    if (most <= kMostNarrow) {
-      fill(narrow_ = Grid<std::uint16_t>(width, height), steps_of, stop);
-    } else {
-      fill(wide_ = Grid<std::uint32_t>(width, height), steps_of, stop);
+      write_row(y, std::span<std::uint32_t>(row));
+      set_row(y, row);
     }
   }
 
@@ -101,15 +98,10 @@ class WEND_API CostMap {
  private:
   static constexpr std::uint32_t kMostNarrow = std::numeric_limits<std::uint16_t>::max();
 
-  template <class Steps, class StepsOf>
-  static void fill(Grid<Steps>& grid, StepsOf& steps_of, DeadlineCheck& stop) {
-    for (int y = 0; y < grid.height() && !stop.now(); ++y) {
-      const auto row = grid.row(y);
-      for (int x = 0; x < grid.width(); ++x) {
-        row[static_cast<std::size_t>(x)] = static_cast<Steps>(steps_of(Cell{x, y}));
-      }
-    }
-  }
+  /// Sets a row whose cells cost 1 until now.
+  void set_row(int y, std::span<const std::uint32_t> steps);
+  /// Takes memory for cells that may have `most` steps.
+  void make_room(std::uint32_t most);
 
   int width_ = 0;
   int height_ = 0;

@@ -4,11 +4,19 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "wend/base/random.hpp"
 
 namespace wend {
 namespace {
+
+template <class StepsOf>
+CostMap costs_of(int width, int height, StepsOf&& steps_of) {
+  return CostMap(width, height, [&](int y, std::span<std::uint32_t> steps) {
+    for (int x = 0; x < width; ++x) steps[static_cast<std::size_t>(x)] = steps_of(Cell{x, y});
+  });
+}
 
 TEST(CostMap, RoundsToTheNearestStepAndAHalfUp) {
   EXPECT_EQ(CostMap::rounded(1), 256U);
@@ -33,7 +41,7 @@ TEST(CostMap, IsOffByAtMostHalfAStep) {
 }
 
 TEST(CostMap, TakesNoMemoryWhereEveryCellCostsOne) {
-  const CostMap costs(3, 2, [](Cell) { return 256U; });
+  const CostMap costs = costs_of(3, 2, [](Cell) { return 256U; });
   EXPECT_TRUE(costs.uniform());
   EXPECT_EQ(costs.bytes_per_cell(), 0U);
   EXPECT_EQ(costs.steps({2, 1}), 256U);
@@ -42,7 +50,7 @@ TEST(CostMap, TakesNoMemoryWhereEveryCellCostsOne) {
 
 TEST(CostMap, TakesTwoBytesUnlessACostNeedsMore) {
   const auto with = [](std::uint32_t most) {
-    return CostMap(3, 2, [most](Cell cell) { return cell == Cell{1, 1} ? most : 300U; });
+    return costs_of(3, 2, [most](Cell cell) { return cell == Cell{1, 1} ? most : 300U; });
   };
   EXPECT_EQ(with(65535).bytes_per_cell(), 2U);
   EXPECT_EQ(with(65536).bytes_per_cell(), 4U);
@@ -60,7 +68,7 @@ TEST(CostMap, EqualsOneMadeAtOnceAfterAnyChanges) {
     const int width = random.between(1, 6);
     const int height = random.between(1, 6);
     Grid<std::uint32_t> expected(width, height, 256);
-    CostMap costs(width, height, [&](Cell cell) { return expected[cell]; });
+    CostMap costs = costs_of(width, height, [&](Cell cell) { return expected[cell]; });
     for (int change = 0; change < 40; ++change) {
       const int x = random.between(0, width - 1);
       const int y = random.between(0, height - 1);
@@ -68,7 +76,7 @@ TEST(CostMap, EqualsOneMadeAtOnceAfterAnyChanges) {
       const auto steps = static_cast<std::uint32_t>(random.between(256, far ? 100'000 : 259));
       costs.set({x, y}, steps);
       expected[{x, y}] = steps;
-      const CostMap made(width, height, [&](Cell cell) { return expected[cell]; });
+      const CostMap made = costs_of(width, height, [&](Cell cell) { return expected[cell]; });
       ASSERT_EQ(costs, made);
       ASSERT_EQ(costs.uniform(), made.uniform());
       costs.set({x, y}, steps + 1);

@@ -37,6 +37,17 @@ class Clearances {
     return distances_.empty() ? kNoObstacle : distances_[cell];
   }
 
+  /// The same for a whole row.
+  void read_row(int y, std::span<std::uint32_t> clearances) const {
+    if (all_ != nullptr) {
+      std::ranges::copy(all_->row(y), clearances.begin());
+    } else if (distances_.empty()) {
+      std::ranges::fill(clearances, kNoObstacle);
+    } else {
+      distances_.read_row(y, clearances);
+    }
+  }
+
  private:
   const CappedDistances& distances_;
   const Grid<std::uint32_t>* all_ = nullptr;
@@ -67,6 +78,18 @@ CellCosts::CellCosts(const Robot& robot, double resolution)
   }
 }
 
+void CellCosts::price(std::span<const double> terrain, std::span<std::uint32_t> clearances) const {
+  if (terrain.empty()) {
+    for (std::uint32_t& each : clearances) each = steps(1, each);
+  } else if (!raise()) {
+    std::ranges::transform(terrain, clearances.begin(), rounded);
+  } else {
+    for (std::size_t i = 0; i < terrain.size(); ++i) {
+      clearances[i] = steps(terrain[i], clearances[i]);
+    }
+  }
+}
+
 double CellCosts::computed_factor(std::uint32_t clearance) const {
   if (!raise() || clearance < least_) return 1;
   const double from_edge = std::fmax(0, distance_in_cells(clearance) - radius_);
@@ -81,14 +104,14 @@ Expected<CostMap, Error> cell_costs(const Obstacles& obstacles, const CappedDist
   if (map.uniform_terrain() && !costs.raise()) return CostMap(map.width(), map.height());
   const Clearances clearance(obstacles, distances, costs);
   std::optional<Cell> dear;
-  CostMap made(
-      map.width(), map.height(),
-      [&](Cell cell) {
-        const std::uint32_t steps = costs.steps(map.terrain(cell), clearance[cell]);
-        if (steps == CostMap::kMost && !dear) dear = cell;
-        return steps;
-      },
-      stop);
+  const auto write_row = [&](int y, std::span<std::uint32_t> steps) {
+    clearance.read_row(y, steps);
+    costs.price(map.uniform_terrain() ? std::span<const double>() : map.terrain().row(y), steps);
+    if (dear) return;
+    const auto found = std::ranges::find(steps, CostMap::kMost);
+    if (found != steps.end()) dear = Cell{static_cast<int>(found - steps.begin()), y};
+  };
+  CostMap made(map.width(), map.height(), write_row, stop);
   if (dear) {
     return Unexpected<Error>(too_dear(*dear, map.terrain(*dear) * costs.factor(clearance[*dear])));
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
@@ -37,6 +38,9 @@ class CellCosts {
   double factor(std::uint32_t clearance) const {
     return clearance < factors_.size() ? factors_[clearance] : computed_factor(clearance);
   }
+
+  /// Puts the steps of cells in the place of their clearances. The terrain is empty where it is 1.
+  void price(std::span<const double> terrain, std::span<std::uint32_t> clearances) const;
 
   /// Is every cost less than 2^16 on a map whose terrain is less than 256, and with such a terrain?
   bool stay_in_range(double terrain) const {

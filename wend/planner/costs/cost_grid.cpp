@@ -1,7 +1,10 @@
 #include "wend/planner/costs/cost_grid.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
+
+#include "wend/planner/costs/dear_words.hpp"
 
 namespace wend {
 namespace {
@@ -29,37 +32,6 @@ StateId stride_for(int width) {
   return stride % 512 == 0 ? stride + 8 : stride;
 }
 
-/// The least and the largest steps of the free cells in each column of three rows, then in each block.
-class BlockRange {
- public:
-  explicit BlockRange(int width)
-      : least_(static_cast<std::size_t>(width) + 2, kNothing),
-        most_(static_cast<std::size_t>(width) + 2, 0) {}
-
-  /// `rows`: the steps of three rows, 0 where blocked, with a cell of border on both sides.
-  void read(const std::array<const std::uint32_t*, 3>& rows) {
-    for (std::size_t i = 0; i < least_.size(); ++i) {
-      const std::array three{rows[0][i], rows[1][i], rows[2][i]};
-      // A blocked cell counts as the largest least: 0 - 1 wraps.
-      least_[i] = std::min({three[0] - 1, three[1] - 1, three[2] - 1});
-      most_[i] = std::max({three[0], three[1], three[2]});
-    }
-  }
-
-  CostClass class_at(std::size_t x) const {
-    const std::uint64_t least =
-        std::uint64_t{std::min({least_[x], least_[x + 1], least_[x + 2]})} + 1;
-    const std::uint64_t most = std::max({most_[x], most_[x + 1], most_[x + 2]});
-    if (least == most) return CostClass::uniform;
-    return 5 * most <= 9 * least ? CostClass::smooth : CostClass::general;
-  }
-
- private:
-  static constexpr std::uint32_t kNothing = ~std::uint32_t{0};
-  std::vector<std::uint32_t> least_;  // less 1
-  std::vector<std::uint32_t> most_;
-};
-
 /// The 3 x 3 blocks of some cells in a row, from left to right, as BitGrid::block() has them.
 class PassableWindow {
  public:
@@ -80,14 +52,9 @@ class PassableWindow {
   }
 
  private:
-  /// From the cell before on: 64 bits, those beyond the row zero.
   static std::uint64_t bits(const BitGrid& passable, Cell cell) {
-    const auto words = passable.row_words(cell.y);
-    const auto bit = static_cast<std::size_t>(cell.x);  // that of the cell before
-    const std::size_t shift = bit % 64;
-    std::uint64_t window = words[bit / 64] >> shift;
-    if (shift != 0 && bit / 64 + 1 < words.size()) window |= words[bit / 64 + 1] << (64 - shift);
-    return window;
+    return bits_from(passable.row_words(cell.y),
+                     static_cast<std::size_t>(cell.x));  // from the cell before on
   }
 
   std::uint64_t above_;
@@ -139,9 +106,9 @@ CostGrid<Word>::CostGrid(const FreeSpace& space, GridMoves moves, DeadlineCheck&
     constexpr std::size_t kAtOnce = std::size_t{1} << 18U;
     words_.resize(std::min(words_.size() + kAtOnce, words));
   }
-  compute_words(space, CellBox::of(space), stop, [this](StateId id, int y, Word word) {
-    words_[id] = word;
-    if (one_ != 1 && word != 0) count(y, steps(word));
+  compute_words(space, CellBox::of(space), stop, [this](StateId id, int y, auto row) {
+    std::ranges::copy(row, words_.begin() + id);
+    if (one_ != 1) count_row(y);
   });
   find_least();
 }
@@ -152,16 +119,8 @@ void CostGrid<Word>::repair(const FreeSpace& space, const SpaceChange& change) {
   const std::size_t longest = words_.size() / 8 + 1024;
   for (const CellBox& box : change.boxes) {
     const CellBox reached = box.grown_by(1).clipped_to(space);
-    compute_words(space, reached, DeadlineCheck::never(), [this](StateId id, int y, Word word) {
-      Word& here = words_[id];
-      if (here == word) return;
-      log_.push_back({id, here});
-      if (one_ != 1 && steps(here) != steps(word)) {
-        LeastOfRow& row = rows_[static_cast<std::size_t>(y)];
-        if (here != 0 && steps(here) == row.steps && --row.cells == 0) row.steps = kUnknown;
-        if (word != 0) count(y, steps(word));
-      }
-      here = word;
+    compute_words(space, reached, DeadlineCheck::never(), [this](StateId id, int y, auto row) {
+      for (const Word word : row) replace(id++, y, word);
     });
     for (int y = reached.begin.y; y < reached.end.y && one_ != 1; ++y) {
       if (rows_[static_cast<std::size_t>(y)].steps == kUnknown) count_row(y);
@@ -174,7 +133,21 @@ void CostGrid<Word>::repair(const FreeSpace& space, const SpaceChange& change) {
   }
 }
 
-/// Calls store(id, y, word) for each cell of a box.
+/// Logs the word of a cell, and puts another one in its place.
+template <class Word>
+void CostGrid<Word>::replace(StateId id, int y, Word word) {
+  Word& here = words_[id];
+  if (here == word) return;
+  log_.push_back({id, here});
+  if (one_ != 1 && steps(here) != steps(word)) {
+    LeastOfRow& row = rows_[static_cast<std::size_t>(y)];
+    if (here != 0 && steps(here) == row.steps && --row.cells == 0) row.steps = kUnknown;
+    if (word != 0) count(y, steps(word));
+  }
+  here = word;
+}
+
+/// Calls store(id, y, words) for the cells of each row of a box; the first one has the id.
 template <class Word>
 template <class Store>
 void CostGrid<Word>::compute_words(const FreeSpace& space, const CellBox& box, DeadlineCheck& stop,
@@ -196,13 +169,16 @@ void CostGrid<Word>::compute_uniform_words(const BitGrid& passable, const CellBo
     if ((block & kMiddle) == 0) continue;
     words[block] = static_cast<Word>((1U << CostMoves::kKeyBits) | neighbours_in(block));
   }
+  std::vector<Word> row(static_cast<std::size_t>(box.width()));
   for (int y = box.begin.y; y < box.end.y && !stop.now(); ++y) {
-    StateId id = number({box.begin.x, y});
     for (int x = box.begin.x; x < box.end.x;) {
       PassableWindow window(passable, {x, y});
       const int end = std::min(box.end.x, x + PassableWindow::kCells);
-      for (; x < end; ++x, ++id) store(id, y, words[window.next_block()]);
+      for (; x < end; ++x) {
+        row[static_cast<std::size_t>(x - box.begin.x)] = words[window.next_block()];
+      }
     }
+    store(number({box.begin.x, y}), y, std::span<const Word>(row));
   }
 }
 
@@ -210,42 +186,14 @@ template <class Word>
 template <class Store>
 void CostGrid<Word>::compute_dear_words(const FreeSpace& space, const CellBox& box,
                                         DeadlineCheck& stop, Store&& store) const {
-  std::array<std::vector<std::uint32_t>, 3> rows;  // with a column more on both sides
-  for (auto& row : rows) row.assign(static_cast<std::size_t>(box.width()) + 2, 0);
-  const auto read = [&](int y, std::vector<std::uint32_t>& row) {
-    std::fill(row.begin(), row.end(), 0);
-    if (y < 0 || y >= height_) return;
-    const int begin = std::max(box.begin.x - 1, 0);
-    const int end = std::min(box.end.x + 1, width_);
-    const auto steps = std::span(row).subspan(static_cast<std::size_t>(begin - box.begin.x + 1),
-                                              static_cast<std::size_t>(end - begin));
-    space.costs().read_row(begin, y, steps);
-    const auto passable = space.passable().row_words(y);
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      const std::size_t bit = static_cast<std::size_t>(begin) + 1 + i;
-      steps[i] &= 0U - static_cast<std::uint32_t>((passable[bit / 64] >> (bit % 64)) & 1U);
-    }
-  };
-  BlockRange range(box.width());
-  read(box.begin.y - 1, rows[1]);
-  read(box.begin.y, rows[2]);
+  std::vector<DearRow> rows(3, DearRow(box.width()));
+  DearWords<Word> words(box.width());
+  rows[1].read(space, {box.begin.x, box.begin.y - 1});
+  rows[2].read(space, box.begin);
   for (int y = box.begin.y; y < box.end.y && !stop.now(); ++y) {
-    std::rotate(rows.begin(), rows.begin() + 1, rows.end());
-    read(y + 1, rows[2]);
-    range.read({rows[0].data(), rows[1].data(), rows[2].data()});
-    StateId id = number({box.begin.x, y});
-    for (int x = box.begin.x; x < box.end.x;) {
-      PassableWindow window(space.passable(), {x, y});
-      const int end = std::min(box.end.x, x + PassableWindow::kCells);
-      for (; x < end; ++x, ++id) {
-        const auto at = static_cast<std::size_t>(x - box.begin.x);
-        const Word steps = rows[1][at + 1];
-        const unsigned neighbours = neighbours_in(window.next_block());
-        const auto kind = static_cast<unsigned>(range.class_at(at));
-        const Word word = (steps << CostMoves::kKeyBits) | (kind << 8U) | neighbours;
-        store(id, y, steps == 0 ? Word{0} : word);
-      }
-    }
+    std::ranges::rotate(rows, rows.begin() + 1);
+    rows[2].read(space, {box.begin.x, y + 1});
+    store(number({box.begin.x, y}), y, words.of(rows[0], rows[1], rows[2]));
   }
 }
 
@@ -264,11 +212,21 @@ void CostGrid<Word>::count(int y, std::uint64_t steps) {
 /// Finds the least steps of a row anew.
 template <class Word>
 void CostGrid<Word>::count_row(int y) {
-  rows_[static_cast<std::size_t>(y)] = {};
-  const StateId begin = number({0, y});
-  for (StateId id = begin; id < begin + static_cast<StateId>(width_); ++id) {
-    if (words_[id] != 0) count(y, steps(words_[id]));
+  const auto row =
+      std::span<const Word>(words_).subspan(number({0, y}), static_cast<std::size_t>(width_));
+  Word least = kMostSteps;  // less 1: a blocked cell wraps
+  Word most = 0;
+  for (const Word word : row) {
+    least = least_of<Word>(least, (word >> CostMoves::kKeyBits) - 1);
+    most = most_of<Word>(most, word >> CostMoves::kKeyBits);
   }
+  rows_[static_cast<std::size_t>(y)] = {};
+  if (most == 0) return;
+  most_steps_ = std::max<std::uint64_t>(most_steps_, most);
+  const auto cells =
+      std::ranges::count(row, least + 1, [](Word word) { return word >> CostMoves::kKeyBits; });
+  rows_[static_cast<std::size_t>(y)] = {static_cast<std::uint32_t>(least + 1),
+                                        static_cast<std::uint32_t>(cells)};
 }
 
 template <class Word>

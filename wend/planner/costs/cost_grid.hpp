@@ -152,6 +152,7 @@ class CostGrid {
   template <class Store>
   void compute_dear_words(const FreeSpace& space, const CellBox& box, DeadlineCheck& stop,
                           Store&& store) const;
+  void replace(StateId id, int y, Word word);
   void count(int y, std::uint64_t steps);
   void count_row(int y);
   void find_least();
