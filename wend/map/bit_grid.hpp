@@ -107,6 +107,15 @@ class WEND_API BitGrid {
   std::vector<std::uint64_t> words_;
 };
 
+/// 64 bits of a row (BitGrid::row_words()) from a bit on; those after its last word are 0.
+inline std::uint64_t bits_from(std::span<const std::uint64_t> row, std::size_t bit) {
+  const std::size_t word = bit / 64;
+  const std::size_t shift = bit % 64;
+  std::uint64_t bits = row[word] >> shift;
+  if (shift > 0 && word + 1 < row.size()) bits |= row[word + 1] << (64 - shift);
+  return bits;
+}
+
 /// Sets the bits of cells x, x + 1, ... of a row (BitGrid::row_words()) to what the predicate says of their
 /// values, 64 at a time. Returns how many cells lie before the first bit that changed and behind the last
 /// one: if none did, all lie before.

@@ -12,8 +12,8 @@
 namespace wend {
 namespace {
 
-/// 64 bits of a row from this bit on; those before and behind the row are 0.
-std::uint64_t bits_from(std::span<const std::uint64_t> row, std::ptrdiff_t bit) {
+/// As bits_from(), also from before the row.
+std::uint64_t bits_around(std::span<const std::uint64_t> row, std::ptrdiff_t bit) {
   const std::ptrdiff_t word = bit >= 0 ? bit / 64 : -((63 - bit) / 64);
   const auto shift = static_cast<unsigned>(bit - 64 * word);
   const auto at = [&](std::ptrdiff_t i) {
@@ -79,7 +79,7 @@ std::uint64_t DiscRing::on_row(std::span<const std::uint64_t> centres, std::size
   const auto first = 64 * static_cast<std::ptrdiff_t>(word);
   std::uint64_t bits = 0;
   for (int dx = columns.first; dx <= columns.last; ++dx) {
-    bits |= bits_from(centres, first + dx) | bits_from(centres, first - dx);
+    bits |= bits_around(centres, first + dx) | bits_around(centres, first - dx);
   }
   return bits;
 }

@@ -10,18 +10,11 @@
 #include <span>
 #include <vector>
 
+#include "wend/map/bit_grid.hpp"
 #include "wend/planner/costs/cost_grid.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
-
-/// 64 bits of a row from a bit on; those beyond the row are zero.
-inline std::uint64_t bits_from(std::span<const std::uint64_t> row, std::size_t bit) {
-  const std::size_t shift = bit % 64;
-  std::uint64_t bits = row[bit / 64] >> shift;
-  if (shift != 0 && bit / 64 + 1 < row.size()) bits |= row[bit / 64 + 1] << (64 - shift);
-  return bits;
-}
 
 /// Some cells of a row, with one more on both sides.
 class DearRow {

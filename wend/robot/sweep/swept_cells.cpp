@@ -90,15 +90,6 @@ bool on_map(const FreeSpace& space, Cell from, Cell low, Cell high) {
          from.y + high.y < space.height();
 }
 
-/// 64 bits of a row that begin at this bit; those after its last word are 0.
-std::uint64_t bits_from(std::span<const std::uint64_t> words, std::size_t bit) {
-  const std::size_t word = bit / 64;
-  const std::size_t shift = bit % 64;
-  std::uint64_t bits = words[word] >> shift;
-  if (shift > 0 && word + 1 < words.size()) bits |= words[word + 1] << (64 - shift);
-  return bits;
-}
-
 bool is_free(const BitGrid& blocked, const SweptCells::Run& run, Cell from) {
   const auto bit = static_cast<std::size_t>(from.x + run.dx + 1);  // the bit of cell x is x + 1
   return (bits_from(blocked.row_words(from.y + run.dy), bit) & run.cells) == 0;
