@@ -74,7 +74,7 @@ class CoarseGrid {
       const std::function<bool()>& stop = [] { return false; });
 
  private:
-  void take_row(const FreeSpace& space, const BitGrid& drivable, int y);
+  void take_rows(const FreeSpace& space, const BitGrid& drivable, int y);
 
   int size_;
   std::size_t stride_;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include "wend/map/row_bits.hpp"
 #include "wend/space/se2/coarse_grid.hpp"
@@ -31,6 +32,41 @@ bool falls_apart(std::uint64_t cells) {
   return reached != cells;
 }
 
+/// The cells of a square whose lower left one is given.
+std::uint64_t square_at(const BitGrid& drivable, Cell first, int size) {
+  const int height = std::min(size, drivable.height() - first.y);
+  std::uint64_t cells = 0;
+  for (int i = 0; i < height; ++i) {
+    cells |= row_bits(drivable.row_words(first.y + i), first.x, size) << (kRow * i);
+  }
+  return cells;
+}
+
+/// Some rows, 64 cells at a time: the columns in which any cell is set, and those in which all are.
+class Columns {
+ public:
+  Columns(const BitGrid& cells, int first, int count)
+      : any_(cells.row_words(first).size(), 0), all_(any_.size(), ~std::uint64_t{0}) {
+    const int end = std::min(first + count, cells.height());
+    for (int y = first; y < end; ++y) {
+      const auto row = cells.row_words(y);
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        any_[i] |= row[i];
+        all_[i] &= row[i];
+      }
+    }
+  }
+
+  bool is_empty(int x, int count) const { return row_bits(any_, x, count) == 0; }
+  bool is_full(int x, int count) const {
+    return row_bits(all_, x, count) == (std::uint64_t{1} << count) - 1;
+  }
+
+ private:
+  std::vector<std::uint64_t> any_;
+  std::vector<std::uint64_t> all_;
+};
+
 /// Does hardly any square of this size fall apart?
 bool keeps_walls(const BitGrid& drivable, int size) {
   constexpr std::size_t kOneOf = 1000;
@@ -41,15 +77,12 @@ bool keeps_walls(const BitGrid& drivable, int size) {
   std::size_t open = 0;
   std::size_t apart = 0;
   for (int y = 0; y < drivable.height(); y += size) {
-    const int height = std::min(size, drivable.height() - y);
+    const Columns band(drivable, y, size);
     for (int x = 0; x < drivable.width(); x += size) {
-      std::uint64_t cells = 0;
-      for (int i = 0; i < height; ++i) {
-        cells |= row_bits(drivable.row_words(y + i), x, size) << (kRow * i);
-      }
-      if (cells == 0) continue;
+      if (band.is_empty(x, size)) continue;
       ++open;
-      if (falls_apart(cells) && ++apart > most) return false;
+      if (band.is_full(x, size)) continue;
+      if (falls_apart(square_at(drivable, {x, y}, size)) && ++apart > most) return false;
     }
   }
   return kOneOf * apart <= open;
