@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "wend/robot/sweep/fits_along.hpp"
+#include "wend/space/grid/cell_sight.hpp"
 #include "wend/space/grid/grid_space.hpp"
 #include "wend/space/grid/line_cost.hpp"
 
@@ -71,8 +72,11 @@ class SightSpace : public GridSpace<Steps> {
 
   /// As disc_fits_along().
   bool sees(const State& a, const State& b) const {
-    return disc_fits_along(this->free_space(), Line{centre_of(a.cell), centre_of(b.cell)},
-                           adjacency_);
+    const FreeSpace& space = this->free_space();
+    if (space.is_point()) {
+      return cells_in_sight(space.obstacles().blocked(), a.cell, b.cell, adjacency_);
+    }
+    return disc_fits_along(space, Line{centre_of(a.cell), centre_of(b.cell)}, adjacency_);
   }
 
  private:
