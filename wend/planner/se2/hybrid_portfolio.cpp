@@ -133,7 +133,7 @@ const CoarseGrid* HybridPortfolio::grid_of(Squares squares) {
   return grid.get();
 }
 
-const GoalRing& HybridPortfolio::ring_of(const KindOfSearch& kind) {
+GoalRing& HybridPortfolio::ring_of(const KindOfSearch& kind) {
   if (kind.motions != Motions::wider_shuffles) return ring_;
   if (!wider_ring_) wider_ring_.emplace(wider_steering_);
   return *wider_ring_;

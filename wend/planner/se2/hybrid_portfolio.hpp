@@ -115,7 +115,7 @@ class HybridPortfolio {
   double shuffle_length() const;
   bool may_shuffle() const;
   HybridResolution shuffle_resolution(const Steering& steering, double finer) const;
-  const GoalRing& ring_of(const KindOfSearch& kind);
+  GoalRing& ring_of(const KindOfSearch& kind);
   bool suits(const KindOfSearch& kind) const;
   const CoarseGrid* grid_of(Squares squares);
   HybridSearch* search_of(Kind kind);

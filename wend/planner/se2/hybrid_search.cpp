@@ -31,7 +31,7 @@ bool faces_away(const Pose& from, const Pose& to) {
 
 }  // namespace
 
-HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, const GoalRing& ring,
+HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, GoalRing& ring,
                            const CoarseGrid& grid, const HybridResolution& resolution,
                            Direction direction, const LatticeMotions* lattice)
     : check_(check),

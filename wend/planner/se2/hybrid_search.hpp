@@ -40,7 +40,7 @@ class HybridSearch {
   enum class Direction { from_start, from_goal };
 
   /// All but the resolution must outlive the search.
-  HybridSearch(const MotionCheck& check, const Steering& steering, const GoalRing& ring,
+  HybridSearch(const MotionCheck& check, const Steering& steering, GoalRing& ring,
                const CoarseGrid& grid, const HybridResolution& resolution,
                Direction direction = Direction::from_start,
                const LatticeMotions* lattice = nullptr);
@@ -127,7 +127,7 @@ class HybridSearch {
   HybridGoal start_as_goal_;
   HybridResolution resolution_;
   TurningCost turning_;
-  const GoalRing& ring_;
+  GoalRing& ring_;
   CoarseCostField field_;
   DescentTrace trace_;
   PoseTable seen_;
