@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -45,6 +46,8 @@ class WEND_API FilePieces {
   /// The next bytes, valid until the next call. None at the end of the file or after a read error; in
   /// the second case failed() is true.
   std::string_view next();
+  /// Reads the next bytes into a room, and returns how many there were.
+  std::size_t read(std::span<char> room);
   /// Did a read fail?
   bool failed() const { return stream_.bad(); }
 

@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "wend/map/count_bits.hpp"
+
 namespace wend {
 
 // Only on little-endian machines, loads of a few bytes from the word array read neighbouring bits.
@@ -37,8 +39,13 @@ void BitGrid::assign_complement(const BitGrid& other, const CellBox& box) {
 }
 
 std::span<std::uint64_t> BitGrid::append_row() {
-  words_.resize(words_.size() + words_per_row_);
-  return row_words(height_++);
+  append_rows(1);
+  return row_words(height_ - 1);
+}
+
+void BitGrid::append_rows(int count) {
+  words_.resize(words_.size() + words_per_row_ * static_cast<std::size_t>(count));
+  height_ += count;
 }
 
 void BitGrid::reserve_rows(int height) {
@@ -47,7 +54,7 @@ void BitGrid::reserve_rows(int height) {
 
 std::size_t BitGrid::count() const {
   std::size_t count = 0;
-  for (const std::uint64_t word : words_) count += static_cast<std::size_t>(std::popcount(word));
+  for (const std::uint64_t word : words_) count += static_cast<std::size_t>(count_bits(word));
   return count;
 }
 

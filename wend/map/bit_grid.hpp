@@ -89,6 +89,9 @@ class WEND_API BitGrid {
   /// Appends a row of zeros and returns its words. O(width) amortized.
   std::span<std::uint64_t> append_row();
 
+  /// Appends some rows of zeros.
+  void append_rows(int count);
+
   /// Makes room for `height` rows.
   void reserve_rows(int height);
 

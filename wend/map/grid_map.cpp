@@ -156,7 +156,7 @@ GridMapBuilder::GridMapBuilder(int width)
 
 void GridMapBuilder::reserve(int height) {
   occupied_.reserve_rows(height);
-  unknown_.reserve_rows(height);
+  reserved_ = height;
 }
 
 void GridMapBuilder::append(std::span<const CellState> states, std::span<const double> terrain) {
@@ -173,22 +173,31 @@ void GridMapBuilder::append(std::span<const CellState> states, std::span<const d
   }
   const bool uniform = std::all_of(terrain.begin(), terrain.end(),
                                    [](double multiplier) { return multiplier == 1; });
-  if (!uniform || !terrain_.empty()) {
-    terrain_.resize(static_cast<std::size_t>(height()) * states.size(), 1);
-    if (uniform) {
-      terrain_.resize(terrain_.size() + states.size(), 1);
-    } else {
-      terrain_.insert(terrain_.end(), terrain.begin(), terrain.end());
-    }
+  set_state(append_free(), states, CellState::occupied);
+  if (std::ranges::find(states, CellState::unknown) != states.end()) {
+    set_state(last_unknown(), states, CellState::unknown);
   }
-  set_state(occupied_.append_row(), states, CellState::occupied);
-  set_state(unknown_.append_row(), states, CellState::unknown);
+  if (uniform) return;
+  terrain_.resize(static_cast<std::size_t>(height()) * cells, 1);
+  std::ranges::copy_backward(terrain, terrain_.end());
+}
+
+std::span<std::uint64_t> GridMapBuilder::append_free() {
+  terrain_.resize(terrain_.empty() ? 0 : terrain_.size() + static_cast<std::size_t>(width()), 1);
+  return occupied_.append_row();
+}
+
+std::span<std::uint64_t> GridMapBuilder::last_unknown() {
+  if (unknown_.height() == 0) unknown_.reserve_rows(std::max(reserved_, height()));
+  unknown_.append_rows(height() - unknown_.height());
+  return unknown_.row_words(height() - 1);
 }
 
 Expected<GridMap, Error> GridMapBuilder::finish(const Frame& frame) && {
   if (wrong_row_) return Unexpected<Error>(*std::move(wrong_row_));
   Grid<double> terrain;
   if (!terrain_.empty()) terrain = Grid<double>(width(), height(), std::move(terrain_));
+  unknown_.append_rows(height() - unknown_.height());
   if (frame.y_up) {
     turn_over(occupied_);
     turn_over(unknown_);

@@ -12,6 +12,7 @@
 //   if (!map) return report(map.error().message);
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -151,6 +152,12 @@ class WEND_API GridMapBuilder {
   /// if it is empty, all multipliers are 1. finish() fails after a row of another length.
   void append(std::span<const CellState> states, std::span<const double> terrain = {});
 
+  /// Appends a row of free cells. Set the bits of those that are occupied in the words that it returns, or unknown in
+  /// those of last_unknown(): cell x is bit x + 1. Both are valid until the next row is appended.
+  std::span<std::uint64_t> append_free();
+  /// The unknown cells of the last row.
+  std::span<std::uint64_t> last_unknown();
+
   /// The number of columns.
   int width() const { return occupied_.width(); }
   /// The number of rows so far.
@@ -162,7 +169,8 @@ class WEND_API GridMapBuilder {
 
  private:
   BitGrid occupied_;
-  BitGrid unknown_;
+  BitGrid unknown_;                 // may lack rows at the end: nothing is unknown there
+  int reserved_ = 0;                // rows
   std::vector<double> terrain_;     // of all rows; empty while every cell costs 1
   std::optional<Error> wrong_row_;  // the first
 };

@@ -3,6 +3,7 @@
 // AnytimeEngineOf: an AnytimeSearch behind the interface of a SearchEngine. Its run() ends with
 // SearchOutcome::improved at each better path or bound; the next run() or step() goes on.
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -33,6 +34,7 @@ class AnytimeEngineOf final
   }
 
   std::optional<double> bound() const override { return this->search().bound(); }
+  std::uint64_t time_taken() const override { return 400 * this->metrics().expanded; }
 
  private:
   using Base = EngineAround<Engine, Names, AnytimeSearch<Space, Priority, Links, Store>>;

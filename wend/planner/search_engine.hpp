@@ -7,6 +7,7 @@
 // state to its place, to the events for an observer, and to its part of a path.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -38,6 +39,12 @@ class SearchEngine {
   virtual SearchOutcome run() = 0;
 
   virtual const SearchMetrics& metrics() const = 0;
+
+  /// About how many nanoseconds the search has taken so far, from what it has counted.
+  virtual std::uint64_t time_taken() const { return 32 * metrics().expanded; }
+
+  /// Does what it finds depend on what it was asked before? Then it is only asked for what there is.
+  virtual bool resumes() const { return false; }
 
   /// At most `most` states that would be expanded next, and the number of open states.
   virtual OpenList open_list(std::size_t most) const = 0;
@@ -195,6 +202,11 @@ class SearchEngineOf final
   using Goal = typename Engine::Goal;
 
   SearchEngineOf(Space space, Priority priority) : Base(std::move(space), std::move(priority)) {}
+
+  std::uint64_t time_taken() const override {
+    constexpr bool kLooksForParents = !std::is_same_v<Links, StepLinks>;
+    return (kLooksForParents ? 800 : 32) * this->metrics().expanded;
+  }
 
   void begin(const Place& start, std::span<const Goal> goals, const Limits& limits,
              SearchObserver* observer) override {

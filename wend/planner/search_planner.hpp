@@ -30,31 +30,38 @@ class SearchPlanner : public Planner {
                  "no memory for the " + std::to_string(state_count()) + " poses of " + whose};
   }
 
-  std::shared_ptr<Engine> engine_;
-
- private:
-  /// Begins the search of the query that was checked last. Both live as long as the search.
-  virtual void begin_search(const Limits& limits, SearchObserver* observer) = 0;
-
-  /// Cost, bound and whatever else there is to say of the path in `out`.
-  virtual void assess(Plan& out) = 0;
-
-  Status do_plan(const Query& query, Plan& out) final {
-    begin_search(query.limits, query.observer);
-    SearchOutcome outcome = engine_->run();
-    for (; outcome == SearchOutcome::improved; outcome = engine_->run()) {
-      take_solution(out);
-      if (is_enough(query.limits)) return Status::found;
+  /// The same as do_plan() for a search that has begun.
+  Status run_on(SearchOutcome outcome, const Limits& limits, Plan& out) {
+    while (outcome == SearchOutcome::running || outcome == SearchOutcome::improved) {
+      if (outcome == SearchOutcome::improved) {
+        take_solution(out);
+        if (is_enough(limits)) return Status::found;
+      }
+      outcome = engine_->run();
     }
     return finish(outcome, out);
   }
 
-  std::optional<Status> do_begin(const Query& query, Plan& out) final {
+  Status do_plan(const Query& query, Plan& out) override {
+    begin_search(query.limits, query.observer);
+    return run_on(SearchOutcome::running, query.limits, out);
+  }
+
+  std::optional<Status> do_begin(const Query& query, Plan& out) override {
     limits_ = query.limits;
     begin_search(limits_, query.observer);
     out.metrics = engine_->metrics();
     return std::nullopt;
   }
+
+  /// Begins the search of the query that was checked last. Both live as long as the search.
+  virtual void begin_search(const Limits& limits, SearchObserver* observer) = 0;
+
+  std::shared_ptr<Engine> engine_;
+
+ private:
+  /// Cost, bound and whatever else there is to say of the path in `out`.
+  virtual void assess(Plan& out) = 0;
 
   std::optional<Status> do_step(Plan& out) final {
     const SearchOutcome outcome = engine_->step();

@@ -3,6 +3,7 @@
 // WideningEngine: searches with costs in 32 bits, which are faster, until they do not do; from then
 // on with wider ones. Both must expand the same states in the same order.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -46,6 +47,7 @@ class WideningEngine final : public Engine {
   }
 
   const SearchMetrics& metrics() const override { return engine_->metrics(); }
+  std::uint64_t time_taken() const override { return engine_->time_taken(); }
   OpenList open_list(std::size_t most) const override { return engine_->open_list(most); }
   double heuristic(const Place& place) const override { return engine_->heuristic(place); }
   void write_path(Path& path) const override { engine_->write_path(path); }

@@ -220,6 +220,8 @@ class WEND_API FreeSpace {
   const ConnectedComponents& components() const {
     return data_->components.get([this] { return ConnectedComponents(passable()); });
   }
+  /// Have they been made?
+  bool knows_components() const { return data_->components.made(); }
   /// Makes them now, and prepares them for questions with this adjacency. False if the deadline passed before.
   bool make_components(Adjacency adjacency, const Deadline& deadline) const;
 

@@ -19,6 +19,16 @@ Capabilities capabilities_of(const PlannerSpec& spec) {
   return info != nullptr ? info->capabilities : Capabilities{};
 }
 
+/// Does the planner ask for the components itself, within the limits, and only if its search takes long?
+bool asks_late(const RunParts& parts) {
+  const PlanRequest& request = parts.request;
+  const Capabilities can = capabilities_of(parts.spec);
+  const Leeway leeway = request.leeway();
+  return can.can_step && !can.resumes && !request.from_field && request.observer == nullptr &&
+         !leeway.closest && !leeway.nearest && request.goals.size() == 1 &&
+         request.goals.front().tolerance == 0;
+}
+
 Query unwatched(Query query) {
   query.observer = nullptr;
   query.on_solution = {};
@@ -328,8 +338,10 @@ Expected<SearchRun, RequestFailure> SearchRun::begin(RunParts& parts) {
     return refused(*std::move(fault));
   }
   const Deadline& deadline = parts.deadline;
+  const Deadline soon = deadline.later(kSecondsToFinish);
   if (deadline.bounded() && moves &&
-      !parts.space.make_components(moves->adjacency(), deadline.later(kSecondsToFinish))) {
+      !(asks_late(parts) ? !soon.passed()
+                         : parts.space.make_components(moves->adjacency(), soon))) {
     return refused(Error{deadline.status(),
                          deadline.text() + ", before it was known which cells are connected"});
   }

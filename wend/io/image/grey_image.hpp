@@ -37,6 +37,9 @@ class ImageRows {
   /// The next row, from the top one on. `transparent` is empty in every row of an opaque image.
   virtual void add(std::span<const std::uint16_t> values,
                    std::span<const unsigned char> transparent) = 0;
+
+  /// The same for an opaque row of bytes. False, and it has done nothing, if it takes them by add() only.
+  virtual bool add_bytes(std::span<const unsigned char> /*values*/) { return false; }
 };
 
 /// Notes on unusual content of an image file and how it was read. The error is invalid_file, with the format

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "wend/base/parse.hpp"
@@ -53,10 +54,9 @@ class PnmDecoder {
     rows_.begin(header->width, header->height, header->maximum);
     row_.resize(static_cast<std::size_t>(header->width));
     for (int y = 0; y < header->height; ++y) {
+      if (is_grey_in_bytes(*header) && add_bytes(*header)) continue;
       if (header->bitmap && !header->text) {
         read_bits();
-      } else if (is_grey_in_bytes(*header) && read_bytes(*header)) {
-        // The usual row.
       } else if (std::string wrong = read_samples(*header); !wrong.empty()) {
         return failure(std::move(wrong));
       }
@@ -140,16 +140,17 @@ class PnmDecoder {
     return !header.text && header.channels == 1 && header.sample_bytes() == 1;
   }
 
-  /// Reads a row of grey bytes; reads nothing and returns false if one is above the maximum.
-  bool read_bytes(const Header& header) {
-    const std::string_view bytes = rest_.substr(0, row_.size());
+  /// Adds a row of grey bytes, the usual one; does nothing and returns false if one is above the maximum.
+  bool add_bytes(const Header& header) {
+    const std::span<const unsigned char> bytes(reinterpret_cast<const unsigned char*>(rest_.data()),
+                                               row_.size());
     unsigned char largest = 0;
-    for (std::size_t x = 0; x < bytes.size(); ++x) {
-      const auto value = static_cast<unsigned char>(bytes[x]);
-      largest = std::max(largest, value);
-      row_[x] = value;
-    }
+    for (const unsigned char value : bytes) largest = std::max(largest, value);
     if (largest > header.maximum) return false;
+    if (!rows_.add_bytes(bytes)) {
+      std::ranges::copy(bytes, row_.begin());
+      rows_.add(row_, {});
+    }
     rest_.remove_prefix(bytes.size());
     return true;
   }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 
 #include "wend/io/map/doubts.hpp"
 #include "wend/io/map/map_format.hpp"
+#include "wend/map/count_bits.hpp"
 
 namespace wend {
 namespace {
@@ -79,21 +81,31 @@ ImageMapRows::PixelMeaning ImageMapRows::meaning_of(int value, int maximum) cons
   return {CellState::free, scaled_terrain(meaning_.scale_factor, v)};
 }
 
-void ImageMapRows::begin(int width, int /*height*/, int maximum) {
+/// In every mode these lie side by side.
+ImageMapRows::ByteRange ImageMapRows::bytes_of(CellState state) const {
+  const auto first = std::ranges::find(state_table_, state);
+  if (first == state_table_.end()) return {};
+  const auto behind =
+      std::find_if(first, state_table_.end(), [state](CellState other) { return other != state; });
+  return {static_cast<unsigned char>(first - state_table_.begin()),
+          static_cast<unsigned char>(behind - state_table_.begin() - 1)};
+}
+
+void ImageMapRows::begin(int width, int height, int maximum) {
   greys_.maximum = maximum;
   for (int value = 0; value <= maximum; ++value) {
     table_.push_back(meaning_of(value, maximum));
     state_table_.push_back(table_.back().state);
   }
-  rows_.emplace(width);
+  occupied_bytes_ = bytes_of(CellState::occupied);
+  unknown_bytes_ = bytes_of(CellState::unknown);
+  rows_.emplace(width).reserve(height);
   states_.resize(static_cast<std::size_t>(width));
   if (meaning_.mode != ImageMode::trinary) terrain_.resize(states_.size());
 }
 
 void ImageMapRows::look_at(std::span<const std::uint16_t> values) {
-  // No value is above 65535, so this one stands for a grey that the image cannot have.
-  const bool has_grey = greys_.maximum % 255 == 0;
-  const int grey = has_grey ? kSavedUnknown * (greys_.maximum / 255) : 65536;
+  const int grey = saved_unknown();
   int darkest = greys_.darkest;
   int brightest = greys_.brightest;
   std::size_t count = 0;
@@ -105,6 +117,35 @@ void ImageMapRows::look_at(std::span<const std::uint16_t> values) {
   greys_.darkest = darkest;
   greys_.brightest = brightest;
   greys_.saved_unknown += count;
+}
+
+bool ImageMapRows::add_bytes(std::span<const unsigned char> values) {
+  if (!terrain_.empty() || greys_.maximum > 255) return false;
+  assert(rows_);  // begin() comes first
+  const auto occupied = rows_->append_free();
+  const int grey = saved_unknown();
+  Bytes darkest = Bytes{} + values.front();
+  Bytes brightest = darkest;
+  for_each_block(values, values.front(), [&](std::size_t x, const unsigned char* block) {
+    const std::uint64_t on_map =
+        ~std::uint64_t{0} >> (kBlock - std::min(kBlock, values.size() - x));
+    const auto cells = [&](auto&& question) { return on_map & bits_of(block, question); };
+    set_block(occupied, x, cells([&](Bytes bytes) {
+                darkest = bytes < darkest ? bytes : darkest;
+                brightest = bytes > brightest ? bytes : brightest;
+                return occupied_bytes_.holds(bytes);
+              }));
+    const std::uint64_t unknown = cells([&](Bytes bytes) { return unknown_bytes_.holds(bytes); });
+    if (unknown != 0) set_block(rows_->last_unknown(), x, unknown);
+    if (grey > 255) return;
+    const auto is_grey = [&](Bytes bytes) { return bytes == static_cast<unsigned char>(grey); };
+    greys_.saved_unknown += static_cast<std::size_t>(count_bits(cells(is_grey)));
+  });
+  for (std::size_t i = 0; i < sizeof darkest; ++i) {
+    greys_.darkest = std::min<int>(greys_.darkest, darkest[i]);
+    greys_.brightest = std::max<int>(greys_.brightest, brightest[i]);
+  }
+  return true;
 }
 
 void ImageMapRows::add(std::span<const std::uint16_t> values,

@@ -24,6 +24,7 @@
 
 #include "wend/geometry/frame.hpp"
 #include "wend/io/image/grey_image.hpp"
+#include "wend/map/byte_bits.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -61,6 +62,7 @@ class ImageMapRows final : public ImageRows {
   void begin(int width, int height, int maximum) override;
   void add(std::span<const std::uint16_t> values,
            std::span<const unsigned char> transparent) override;
+  bool add_bytes(std::span<const unsigned char> values) override;
 
   /// The state of a cell of this grey value. To be called after begin().
   CellState state_of(int value) const { return state_table_[static_cast<std::size_t>(value)]; }
@@ -80,14 +82,30 @@ class ImageMapRows final : public ImageRows {
     double terrain = 1;
   };
 
+  /// Values from a first one to a last one; none at first.
+  struct ByteRange {
+    unsigned char first = 1;
+    unsigned char last = 0;
+
+    Answers holds(Bytes values) const { return (values >= first) & (values <= last); }
+  };
+
+  ByteRange bytes_of(CellState state) const;
   static PixelMeaning raw_meaning(double shade, double scale_factor);
   PixelMeaning meaning_of(int value, int maximum) const;
   void look_at(std::span<const std::uint16_t> values);
+  /// The grey kSavedUnknown on the scale of the image; one that it cannot have if it lies between two values.
+  int saved_unknown() const {
+    constexpr int kNone = 65536;
+    return greys_.maximum % 255 == 0 ? kSavedUnknown * (greys_.maximum / 255) : kNone;
+  }
 
   ImageMeaning meaning_;
   GreyRange greys_;
   std::vector<PixelMeaning> table_;     // by value
   std::vector<CellState> state_table_;  // the same states, closer together
+  ByteRange occupied_bytes_;            // of an image of bytes
+  ByteRange unknown_bytes_;
   std::optional<GridMapBuilder> rows_;
   std::vector<CellState> states_;  // of the current row
   std::vector<double> terrain_;

@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/testing/whole_image.hpp"
+#include "wend/base/random.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/map/save_map.hpp"
 
@@ -116,6 +119,41 @@ TEST(ImageMap, RawScalesSixteenBitsToEight) {
       map_from_image(image_of(2, {50 * 257, 100 * 257}, 65535), meaning_of(ImageMode::raw), {});
   EXPECT_EQ(cells_of(map), ".#\n");
   EXPECT_EQ(map.terrain({0, 0}), 3);
+}
+
+/// Rows of bytes are read 64 at a time.
+TEST(ImageMap, BytesAreReadAsTheSameValuesOfSixteenBits) {
+  Random random(8);
+  for (int width = 1; width < 200; ++width) {
+    ImageMeaning meaning;
+    meaning.negate = random.chance(0.3);
+    meaning.mode = random.chance(0.3) ? ImageMode::raw : ImageMode::trinary;
+    if (random.chance(0.2)) meaning.occupied_threshold = 1;
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(width));
+    for (unsigned char& byte : bytes) byte = static_cast<unsigned char>(random.below(256));
+    if (random.chance(0.5)) std::ranges::replace_if(bytes, [](int v) { return v < 210; }, 205);
+    const std::vector<std::uint16_t> values(bytes.begin(), bytes.end());
+    ImageMapRows narrow(meaning);
+    ImageMapRows wide(meaning);
+    narrow.begin(width, 2, 255);
+    wide.begin(width, 2, 255);
+    if (meaning.mode == ImageMode::trinary) {
+      ASSERT_TRUE(narrow.add_bytes(bytes));
+    } else {
+      ASSERT_FALSE(narrow.add_bytes(bytes)) << "terrain takes more than bits";
+      narrow.add(values, {});
+    }
+    narrow.add(values, {});
+    wide.add(values, {});
+    wide.add(values, {});
+    ASSERT_EQ(narrow.greys().darkest, wide.greys().darkest);
+    ASSERT_EQ(narrow.greys().brightest, wide.greys().brightest);
+    ASSERT_EQ(narrow.greys().saved_unknown, wide.greys().saved_unknown);
+    const GridMap map = *narrow.finish({});
+    const GridMap expected = *wide.finish({});
+    ASSERT_EQ(map.occupied(), expected.occupied());
+    ASSERT_EQ(map.unknown(), expected.unknown());
+  }
 }
 
 TEST(TrinaryImage, HasTheGreysOfMapSavers) {

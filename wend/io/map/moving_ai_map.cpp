@@ -18,11 +18,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <cstring>
+#include <span>
 
 #include "wend/base/parse.hpp"
 #include "wend/io/map/map_format.hpp"
+#include "wend/map/byte_bits.hpp"
 
 namespace wend {
 namespace {
@@ -53,18 +55,11 @@ constexpr std::array<LetterMeaning, 256> make_letters() {
 
 constexpr std::array<LetterMeaning, 256> kLetters = make_letters();
 
-/// The states of eight letters, if all are '.', '@' or 'T', as nearly all are. In their bytes the bits from
-/// 0x40 up say which are not '.'; the others tell the letters apart.
-bool read_usual_letters(const char* letters, CellState* states) {
-  constexpr std::uint64_t kEach = 0x0101010101010101U;
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, letters, sizeof bytes);
-  const std::uint64_t occupied = bytes >> 6U & kEach;
-  const std::uint64_t trees = bytes >> 4U & occupied;
-  const std::uint64_t usual = (kEach - occupied) * '.' + (occupied - trees) * '@' + trees * 'T';
-  if (bytes != usual) return false;
-  std::memcpy(states, &occupied, sizeof occupied);
-  return true;
+Answers is_free_letter(Bytes letters) {
+  return (letters == '.') | (letters == 'G') | (letters == 'S');
+}
+Answers is_occupied_letter(Bytes letters) {
+  return (letters == '@') | (letters == 'T') | (letters == 'O') | (letters == 'W');
 }
 
 class MovingAiReader {
@@ -143,12 +138,10 @@ class MovingAiReader {
   std::string read_rows() {
     GridMapBuilder& rows = rows_.emplace(width_);
     if (cells() <= lines_.size()) rows.reserve(height_);
-    std::vector<CellState> states(static_cast<std::size_t>(width_));
     for (int y = 0; y < height_; ++y) {
       const auto row = lines_.next();
       if (!row) return fmt::format("only {} of {}", y, declared_rows());
-      if (std::string wrong = read_row(*row, y, states); !wrong.empty()) return wrong;
-      rows.append(states);
+      if (std::string wrong = read_row(*row, y, rows.append_free()); !wrong.empty()) return wrong;
     }
     while (const auto line = lines_.next()) {
       if (is_blank(*line)) continue;
@@ -157,26 +150,29 @@ class MovingAiReader {
     return {};
   }
 
-  std::string read_row(std::string_view letters, int y, std::vector<CellState>& states) {
-    if (letters.size() != states.size()) {
+  std::string read_row(std::string_view letters, int y, std::span<std::uint64_t> words) {
+    if (letters.size() != static_cast<std::size_t>(width_)) {
       return fmt::format("row {} has {} columns, the header declares {}", y, letters.size(),
-                         states.size());
+                         width_);
     }
-    for (std::size_t x = 0; x < letters.size();) {
-      if (x + 8 <= letters.size() && read_usual_letters(letters.data() + x, states.data() + x)) {
-        x += 8;
-        continue;
+    std::string wrong;
+    const auto read_block = [&](std::size_t x, const unsigned char* block) {
+      std::uint64_t occupied = bits_of(block, is_occupied_letter);
+      const std::uint64_t others = ~(occupied | bits_of(block, is_free_letter));
+      for (std::uint64_t rest = others; rest != 0 && wrong.empty(); rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        const LetterMeaning meaning = kLetters[block[i]];
+        seen_ |= meaning;
+        occupied |= static_cast<std::uint64_t>(meaning & kStateMask) << i;
+        if ((meaning & kUnknownLetter) == 0) continue;
+        wrong = fmt::format("unknown terrain letter {} at row {} column {}", quote(letters[x + i]),
+                            y, x + i);
       }
-      const LetterMeaning meaning = kLetters[index_of(letters[x])];
-      if ((meaning & kUnknownLetter) != 0) {
-        return fmt::format("unknown terrain letter {} at row {} column {}", quote(letters[x]), y,
-                           x);
-      }
-      states[x] = static_cast<CellState>(meaning & kStateMask);
-      seen_ |= meaning;
-      ++x;
-    }
-    return {};
+      set_block(words, x, occupied);
+    };
+    for_each_block({reinterpret_cast<const unsigned char*>(letters.data()), letters.size()}, '.',
+                   read_block);
+    return wrong;
   }
 
   std::vector<std::string> notes() const {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
+#include "wend/base/random.hpp"
 #include "wend/io/io_test_support.hpp"
 
 namespace wend {
@@ -124,6 +125,27 @@ TEST(MovingAiMap, UnknownLettersAreNamedWithTheirPlace) {
             "m:6: unknown terrain letter 'x' at row 1 column 1");
   EXPECT_EQ(moving_ai_error(kHeader + "..\0\n...\n"s),
             "m:5: unknown terrain letter 0x00 at row 0 column 2");
+}
+
+/// A row is read 64 letters at a time.
+TEST(MovingAiMap, EveryLetterMayStandAnywhereInARow) {
+  Random random(9);
+  for (int width = 1; width < 200; ++width) {
+    std::string row;
+    std::string cells;
+    for (int x = 0; x < width; ++x) {
+      constexpr std::string_view kLetters = ".GSE@OTWtg";
+      const auto letter = static_cast<std::size_t>(random.below(kLetters.size()));
+      row += random.chance(0.8) ? '.' : kLetters[letter];
+      cells += std::string_view(".GSEg").find(row.back()) != std::string_view::npos ? '.' : '#';
+    }
+    const std::string header = "type octile\nheight 1\nwidth " + std::to_string(width) + "\nmap\n";
+    ASSERT_EQ(cells_in(header + row + "\n"), cells + "\n");
+    const auto wrong = static_cast<std::size_t>(random.below(row.size()));
+    row[wrong] = 'x';
+    ASSERT_EQ(moving_ai_error(header + row),
+              "m:5: unknown terrain letter 'x' at row 0 column " + std::to_string(wrong));
+  }
 }
 
 TEST(MovingAiMap, WhatItCannotHoldIsAnError) {

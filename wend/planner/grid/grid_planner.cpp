@@ -1,10 +1,20 @@
 #include "wend/planner/grid/grid_planner.hpp"
 
+#include "wend/map/labelling_time.hpp"
 #include "wend/planner/rest_of_path.hpp"
 #include "wend/space/grid/grid_path.hpp"
 #include "wend/space/grid/line_cost.hpp"
 
 namespace wend {
+namespace {
+
+/// That of a query, and a little later: to say that there is no path is worth it.
+Deadline deadline_of(const Limits& limits) {
+  constexpr double kSecondsToFinish = 0.01;
+  return Deadline(limits).later(kSecondsToFinish);
+}
+
+}  // namespace
 
 std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjacency,
                                         const Query& query) {
@@ -39,6 +49,19 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
   return std::nullopt;
 }
 
+bool GridQuery::assign_ends(const FreeSpace& space, const Query& query) {
+  if (query.goals.size() != 1 || query.goals.front().tolerance > 0) return false;
+  const Point end = query.goals.front().point;
+  const auto first = cell_under(space, query.start.point());
+  const auto last = cell_under(space, end);
+  if (!first || !last || !space.passable(*first) || !space.passable(*last)) return false;
+  start = *first;
+  start_point = query.start.point();
+  goals.clear();
+  goals.emplace_back(*last, end);
+  return true;
+}
+
 GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts, DeadlineCheck& stop)
     : SearchPlanner(std::move(space)), choose_parts_(std::move(choose_parts)) {
   take(choose_parts_(free_space(), stop));
@@ -60,7 +83,45 @@ std::optional<Error> GridPlanner::fault(std::string_view name) const {
 
 std::optional<Status> GridPlanner::do_check(const Query& query) {
   if (engine_ == nullptr) return Status::unsupported_map;
+  may_be_unreachable_ = query.observer == nullptr && !engine_->resumes() &&
+                        !free_space().knows_components() && cells_.assign_ends(free_space(), query);
+  if (may_be_unreachable_) return std::nullopt;
   return cells_.assign(free_space(), moves_.adjacency(), query);
+}
+
+/// A first query often finds its path before the components would be known: it asks for them only once its search has
+/// taken about as long as that. So a query without a path takes at most about twice as long as if it had asked at once.
+Status GridPlanner::do_plan(const Query& query, Plan& out) {
+  if (!may_be_unreachable_) return SearchPlanner::do_plan(query, out);
+  const Deadline deadline = deadline_of(query.limits);
+  begin_search(query.limits, nullptr);
+  SearchOutcome outcome = SearchOutcome::running;
+  const std::uint64_t time_to_ask = labelling_time(free_space().passable());
+  while (outcome == SearchOutcome::running && engine_->time_taken() < time_to_ask) {
+    outcome = engine_->step();
+  }
+  if (outcome != SearchOutcome::found && outcome != SearchOutcome::improved) {
+    const auto status = unless_connected(deadline);
+    if (status && is_limit(*status)) out.metrics = engine_->metrics();
+    if (status) return *status;
+  }
+  return run_on(outcome, query.limits, out);
+}
+
+std::optional<Status> GridPlanner::do_begin(const Query& query, Plan& out) {
+  if (may_be_unreachable_) {
+    if (const auto status = unless_connected(deadline_of(query.limits))) return status;
+  }
+  return SearchPlanner::do_begin(query, out);
+}
+
+/// Why no path can lead to the goal, or why that is not known.
+std::optional<Status> GridPlanner::unless_connected(const Deadline& deadline) const {
+  const Adjacency adjacency = moves_.adjacency();
+  if (!free_space().make_components(adjacency, deadline)) return deadline.status();
+  const bool connected =
+      free_space().components().connected(cells_.start, cells_.goals.front().any(), adjacency);
+  return connected ? std::nullopt : std::optional(Status::unreachable);
 }
 
 void GridPlanner::begin_search(const Limits& limits, SearchObserver* observer) {

@@ -48,6 +48,9 @@ struct WEND_API GridQuery {
 
   /// Takes the cells of a query; a status other than nothing if it cannot be answered.
   std::optional<Status> assign(const FreeSpace& space, Adjacency adjacency, const Query& query);
+  /// The same for the usual query, one goal without a tolerance in a free cell, but for whether a path can lead there.
+  /// False if it is another one.
+  bool assign_ends(const FreeSpace& space, const Query& query);
 };
 
 class GridPlanner final : public SearchPlanner<GridEngine> {
@@ -75,6 +78,9 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
 
  private:
   std::optional<Status> do_check(const Query& query) override;
+  Status do_plan(const Query& query, Plan& out) override;
+  std::optional<Status> do_begin(const Query& query, Plan& out) override;
+  std::optional<Status> unless_connected(const Deadline& deadline) const;
   void begin_search(const Limits& limits, SearchObserver* observer) override;
   void assess(Plan& out) override;
   double do_heuristic(const Pose& pose) const override;
@@ -95,6 +101,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   std::function<std::unique_ptr<GridEngine>()> another_engine_;
   std::function<Parts(const FreeSpace&, const SpaceChange&)> repaired_parts_;
   GridQuery cells_;
+  bool may_be_unreachable_ = false;  // nobody has asked for the components
 };
 
 /// A planner that is made from options as text: `parts(space, options)` chooses its parts, or

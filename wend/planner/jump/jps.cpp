@@ -1,6 +1,7 @@
 // Jump point search: D. Harabor and A. Grastien, "Online Graph Pruning for Pathfinding on Grid
 // Maps", 2011, and "Improving Jump Point Search", 2014.
 
+#include "wend/planner/grid/best_first.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/jump/learning_engine.hpp"
 #include "wend/planner/jump/prepared_jumps.hpp"
@@ -12,8 +13,11 @@ namespace {
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, DeadlineCheck& /*stop*/) {
   if (!space.uniform_terrain()) return {{}, nullptr, 1};
-  const auto engine = [prepared = PreparedJumps::of(space),
-                       cells = &space.passable()]<class Cost>(Cost /*type*/) {
+  const auto shared = PreparedJumps::of(space);
+  if (shared->is_noise(space.passable())) {
+    return best_first_parts(space, {{}, HeuristicKind::octile, 0, 1});
+  }
+  const auto engine = [prepared = shared, cells = &space.passable()]<class Cost>(Cost /*type*/) {
     return [prepared, cells] { return std::make_unique<LearningEngine<Cost>>(prepared, *cells); };
   };
   return {{},
@@ -39,11 +43,12 @@ PlannerInfo jps_planner() {
       .memory =
           "1 bit per cell where it has searched, 44 bytes per jump point reached, 12 per frontier "
           "entry; on a prepared map 8 bytes per cell, 57 per jump point, 16 per shortcut used so "
-          "far, 16 per jump point expanded so far",
+          "far, 16 per jump point expanded so far; on large maps of noise as astar",
       .bytes_per_cell = 8,
       .when =
           "The fastest planner without an index on maps with rooms, streets or corridors. On "
-          "random noise it skips few cells. It refuses terrain and clearance costs.",
+          "large maps of random noise, where it would skip few cells, it searches as astar does. "
+          "It refuses terrain and clearance costs.",
       .guarantee = Guarantee::optimal,
       .preprocessing = Preprocessing::none,
       .capabilities = {.jumps = true, .can_step = true, .learns = true},

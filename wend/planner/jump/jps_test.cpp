@@ -14,6 +14,7 @@
 #include "wend/generate/generators.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"
 #include "wend/planner/jump/known_jumps.hpp"
+#include "wend/planner/jump/prepared_jumps.hpp"
 #include "wend/planner/jump/scanned_jumps.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -243,6 +244,60 @@ TEST(Jps, PlansOnMapsThatAreVeryWide) {
   const auto far = (*planner)->plan(Query::between({0, 0}, {kWidth - 2, 2}));
   ASSERT_TRUE(far) << far.error().message;
   EXPECT_EQ(far->cost, kWidth) << "by the first gap";
+}
+
+/// The expansions of some queries, at the costs of astar, and those of astar.
+std::pair<std::uint64_t, std::uint64_t> expansions_of_jps_and_astar(const GridMap& map) {
+  const FreeSpace space = *make_free_space(map);
+  const auto jps = *make_planner("jps", space);
+  const auto astar = *make_planner("astar", space);
+  Random random(7);
+  std::pair<std::uint64_t, std::uint64_t> expansions;
+  for (int query = 0; query < 8;) {
+    const Cell start = test::random_cell(random, space.width(), space.height());
+    const Cell goal = test::random_cell(random, space.width(), space.height());
+    if (!space.components().connected(start, goal, Adjacency::edges)) continue;
+    ++query;
+    const Plan jumped = *jps->plan(Query::between(start, goal));
+    const Plan stepped = *astar->plan(Query::between(start, goal));
+    EXPECT_EQ(jumped.cost, stepped.cost);
+    expansions.first += jumped.metrics.expanded;
+    expansions.second += stepped.metrics.expanded;
+  }
+  return expansions;
+}
+
+TEST(Jps, SearchesLargeMapsOfNoiseAsAstarDoes) {
+  for (const char* const density : {"0.01", "0.02", "0.1", "0.2", "0.35", "0.4"}) {
+    const auto [jps, astar] =
+        expansions_of_jps_and_astar(*make_map("random", 512, 512, 7, {{"density", density}}));
+    EXPECT_EQ(jps, astar) << density;
+  }
+}
+
+TEST(Jps, JumpsOnLargeMapsOfOtherKinds) {
+  for (const GeneratorInfo& generator : generators()) {
+    const GridMap map = *make_map(generator.name, 512, 512, 7);
+    if (generator.name == "random" || !map.uniform_terrain()) continue;
+    const auto [jps, astar] = expansions_of_jps_and_astar(map);
+    EXPECT_LT(10 * jps, astar) << generator.name;
+  }
+  for (const char* const width : {"2", "3", "4"}) {
+    const auto [jps, astar] =
+        expansions_of_jps_and_astar(*make_map("maze", 512, 512, 7, {{"corridor_width", width}}));
+    EXPECT_LT(10 * jps, astar) << "a maze of corridors of " << width;
+  }
+}
+
+TEST(Jps, KeepsItsJumpsWhenAFewCellsOfALargeMapChange) {
+  FreeSpace space = *make_free_space(*make_map("rooms", 512, 512, 7));
+  const auto planner = *make_planner("jps", space);
+  MapEdit edit;
+  edit.cells.push_back({{3, 3}, CellState::occupied});
+  planner->release();
+  const SpaceChange change = *space.edit(edit);
+  ASSERT_TRUE(planner->update(space, change));
+  EXPECT_FALSE(PreparedJumps::of(space)->is_noise(space.passable()));
 }
 
 TEST(Jps, RefusesTerrainAndSaysSo) {

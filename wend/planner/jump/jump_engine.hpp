@@ -4,6 +4,7 @@
 // search does.
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <span>
@@ -36,6 +37,7 @@ class JumpEngine final : public GridEngine {
              SearchObserver* observer) override {
     observer_ = observer;
     has_goals_ = !goals.empty();
+    if constexpr (kScans) scans_before_ = jumps().ground().scans();
     watched([&](auto&& watcher) { search_->begin(start, goals, limits, watcher); });
   }
 
@@ -50,6 +52,11 @@ class JumpEngine final : public GridEngine {
   }
 
   const SearchMetrics& metrics() const override { return search_->metrics(); }
+
+  std::uint64_t time_taken() const override {
+    if constexpr (kScans) return 18 * (jumps().ground().scans() - scans_before_);
+    return 300 * metrics().expanded;
+  }
 
   OpenList open_list(std::size_t most) const override {
     OpenList list;
@@ -77,6 +84,8 @@ class JumpEngine final : public GridEngine {
   }
 
  private:
+  static constexpr bool kScans = requires(const Jumps& some) { some.ground().scans(); };
+
   static double in_cells(Cost cost) {
     return static_cast<double>(cost) / static_cast<double>(OctileUnits<Cost>::kStraight);
   }
@@ -129,6 +138,7 @@ class JumpEngine final : public GridEngine {
   }
 
   std::unique_ptr<Search> search_;
+  std::uint64_t scans_before_ = 0;  // this search, if it scans
   bool has_goals_ = false;
   SearchObserver* observer_ = nullptr;
 };

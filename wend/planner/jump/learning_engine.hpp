@@ -40,6 +40,7 @@ class LearningEngine final : public GridEngine {
   SearchOutcome step() override { return engine_->step(); }
   SearchOutcome run() override { return engine_->run(); }
   const SearchMetrics& metrics() const override { return engine_->metrics(); }
+  std::uint64_t time_taken() const override { return engine_->time_taken(); }
   OpenList open_list(std::size_t most) const override {
     return engine_ == nullptr ? OpenList{} : engine_->open_list(most);
   }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "wend/jump/jump_sources.hpp"
+#include "wend/jump/noise.hpp"
 
 namespace wend {
 namespace {
@@ -29,10 +30,24 @@ bool too_large_to_keep_open(std::span<const CellBox> edits) {
   return cells_around(edits) > kMostCells;
 }
 
+/// Is it so large that the memory of a graph counts, and that preparing it takes longer than some queries?
+bool is_large(const BitGrid& cells) {
+  constexpr std::size_t kSmall = std::size_t{1} << 17U;
+  return static_cast<std::size_t>(cells.width()) * static_cast<std::size_t>(cells.height()) >
+         kSmall;
+}
+
 }  // namespace
+
+bool PreparedJumps::is_noise(const BitGrid& passable) {
+  const MutexLock lock(mutex_);
+  if (!is_noise_) is_noise_ = is_large(passable) && wend::is_noise(passable);
+  return *is_noise_;
+}
 
 void PreparedJumps::space_edited(const SpaceChange& change) {
   const MutexLock lock(mutex_);
+  if (change.everything) is_noise_.reset();
   for (const auto& search : compact_.scanning) search->jumps().repair(change.boxes);
   for (const auto& search : wide_.scanning) search->jumps().repair(change.boxes);
   if (graph_ == nullptr) return;

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "wend/base/mutex.hpp"
@@ -35,6 +36,9 @@ class PreparedJumps final : public SpaceAttachment {
   static std::shared_ptr<PreparedJumps> of(const FreeSpace& space) {
     return space.attachment<PreparedJumps>([] { return std::make_shared<PreparedJumps>(); });
   }
+
+  /// Is the map one of noise, where nothing is worth preparing? Found out once: small edits do not change it.
+  bool is_noise(const BitGrid& passable);
 
   /// A search on the prepared map; null while preparing it is not worth it. `passable`: of the space. O(cells) the
   /// first time.
@@ -120,6 +124,7 @@ class PreparedJumps final : public SpaceAttachment {
   void forget();
 
   Mutex mutex_;  // guards the rest
+  std::optional<bool> is_noise_;
   std::uint64_t scans_ = 0;
   std::shared_ptr<JumpBoards> boards_;
   std::shared_ptr<JumpGraph> graph_;  // null: not prepared
