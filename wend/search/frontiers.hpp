@@ -110,6 +110,22 @@ class HeapFrontier {
   void push(Key key, StateId id) { min_heap::push(entries_, Entry{key, age_rank_--, id}); }
   Entry pop() { return min_heap::pop(entries_); }
 
+  const Entry& front() const { return entries_.front(); }
+
+  /// Removes the entries for which leaves(entry) is true. O(n).
+  template <class Leaves>
+  void erase_if(Leaves&& leaves) {
+    std::erase_if(entries_, leaves);
+    min_heap::make(entries_);
+  }
+
+  /// Gives each entry the key key_of(id). O(n).
+  template <class KeyOf>
+  void rekey(KeyOf&& key_of) {
+    for (Entry& entry : entries_) entry.key = key_of(entry.id);
+    min_heap::make(entries_);
+  }
+
  private:
   std::vector<Entry> entries_;
   std::uint32_t age_rank_ = UINT32_MAX;
