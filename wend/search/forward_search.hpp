@@ -95,7 +95,7 @@ class ForwardSearch {
   template <class Observer = NoObserver>
   SearchOutcome run(Observer&& observer = {}) {
     if (outcome_ == SearchOutcome::improved) outcome_ = SearchOutcome::running;
-    while (outcome_ == SearchOutcome::running) step(observer);
+    if (outcome_ == SearchOutcome::running) advance(false, observer);
     return outcome_;
   }
 
@@ -103,22 +103,7 @@ class ForwardSearch {
   template <class Observer = NoObserver>
   void step(Observer&& observer = {}) {
     if constexpr (kInRounds) outcome_ = SearchOutcome::running;
-    for (;;) {
-      if (frontier_.empty()) {
-        outcome_ = SearchOutcome::exhausted;
-        return;
-      }
-      const auto entry = frontier_.pop();
-      auto& node = nodes_[entry.id];
-      if (is_closed(node)) continue;  // was expanded with a smaller key
-      if (is_check_due() && !within_limits(entry, observer)) return;
-      close(node);
-      expand(space_.state(entry.id), node, observer);
-      if constexpr (kInRounds) {
-        if (outcome_ == SearchOutcome::running) rounds_.settle(*this, observer);
-      }
-      return;
-    }
+    advance(true, observer);
   }
 
   /// The state whose expansion ended the search as found; in rounds, the end of the path.
@@ -202,13 +187,25 @@ class ForwardSearch {
     }
   }
 
-  /// Is it out of the question that it improves the path of earlier rounds?
-  bool is_pruned(const State& state, Cost g) const {
-    if constexpr (kInRounds) {
-      return rounds_.prunes(*this, state, g);
-    } else {
-      return false;
-    }
+  /// Expands one state, or states until there is an outcome. One function, so that the loop is compiled once.
+  template <class Observer>
+  void advance(bool once, Observer&& observer) {
+    do {
+      if (frontier_.empty()) {
+        outcome_ = SearchOutcome::exhausted;
+        return;
+      }
+      const auto entry = frontier_.pop();
+      auto& node = nodes_[entry.id];
+      if (!kInRounds && node.closed()) continue;  // was expanded with a smaller key
+      if (is_check_due() && !within_limits(entry, observer)) return;
+      close(node);
+      expand(space_.state(entry.id), node, observer);
+      if constexpr (kInRounds) {
+        if (outcome_ == SearchOutcome::running) rounds_.settle(*this, observer);
+      }
+      if (once) return;
+    } while (outcome_ == SearchOutcome::running);
   }
 
   Key key_of(StateId id) const { return priority_.key(space_.state(id), nodes_[id].g); }
@@ -278,9 +275,12 @@ class ForwardSearch {
       }
     }
     Node& node = *room;
-    if (!nodes_.reached(node)) {
-      if (is_pruned(next, g)) return false;
-      if constexpr (kInRounds) node.begin();
+    const bool again = nodes_.reached(node);
+    if constexpr (kInRounds) {
+      if ((again && !(g < node.g)) || rounds_.prunes(*this, next, g)) return false;
+      if (!again) node.begin();
+    }
+    if (!again) {
       ++metrics_.generated;
       nodes_.open(node, g, arrival);
       observer.on_generate(next, arrival, g);
@@ -293,15 +293,12 @@ class ForwardSearch {
         }
         return false;
       }
-      if constexpr (!kInRounds) {
-        if (node.closed()) return false;
-      }
-      if (!(g < node.g) || is_pruned(next, g)) return false;
+      if (!kInRounds && (node.closed() || !(g < node.g))) return false;
       nodes_.open(node, g, arrival);
       observer.on_relax(next, arrival, g);
     }
     if constexpr (kInRounds) {
-      rounds_.reached(*this, next, node);
+      rounds_.reached(*this, next, space_.id(next), node);
     } else {
       frontier_.push(priority_.key(next, g), space_.id(next));
     }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "wend/base/bucket_queue.hpp"
@@ -112,16 +113,13 @@ class HeapFrontier {
 
   const Entry& front() const { return entries_.front(); }
 
-  /// Removes the entries for which leaves(entry) is true. O(n).
-  template <class Leaves>
-  void erase_if(Leaves&& leaves) {
-    std::erase_if(entries_, leaves);
-    min_heap::make(entries_);
-  }
+  const std::vector<Entry>& entries() const { return entries_; }
 
-  /// Gives each entry the key key_of(id). O(n).
-  template <class KeyOf>
-  void rekey(KeyOf&& key_of) {
+  /// Removes the entries for which leaves(entry) is true, pushes others, and gives each the key key_of(id). O(n).
+  template <class Leaves, class KeyOf>
+  void rebuild(Leaves&& leaves, std::span<const StateId> pushed, KeyOf&& key_of) {
+    std::erase_if(entries_, leaves);
+    for (const StateId id : pushed) entries_.push_back({{}, age_rank_--, id});
     for (Entry& entry : entries_) entry.key = key_of(entry.id);
     min_heap::make(entries_);
   }

@@ -113,13 +113,14 @@ class Rounds {
 
   /// A state whose g has fallen is to be expanded, in this round or the next.
   template <class Search>
-  void reached(Search& search, const typename Search::State& state, typename Search::Node& node) {
+  void reached(Search& search, const typename Search::State& state, StateId id,
+               typename Search::Node& node) {
     if (search.priority_.is_goal(state)) {
       has_path_ = true;
       search.goal_ = state;
       cost_ = node.g;
     }
-    open(search, state, node);
+    open(search, state, id, node);
   }
 
   /// After an expansion: ends rounds until there is a state to expand, or none that could improve the path.
@@ -145,7 +146,8 @@ class Rounds {
                          search.outcome_ == SearchOutcome::time_limit;
     if (!limited || !has_path_) return;
     sum_path(search, observer);
-    gather(search);
+    leave_out(search);
+    begin_round(search);
     search.outcome_ = SearchOutcome::found;
   }
 
@@ -155,13 +157,12 @@ class Rounds {
     search.priority_.weigh(weight);
   }
 
-  void open(auto& search, const auto& state, auto& node) {
+  void open(auto& search, const auto& state, StateId id, auto& node) {
     const bool was_open = node.is_open();
     if (!was_open) {
       node.set_open(true);
       ++open_count_;
     }
-    const StateId id = search.space_.id(state);
     if (!node.expanded_in(round_)) {
       search.frontier_.push(search.priority_.key(state, node.g), id);
     } else if (!was_open) {
@@ -180,19 +181,18 @@ class Rounds {
       lower_ = std::max(lower_, static_cast<double>(cost_) / weight_);
     }
     sum_path(search, observer);
-    gather(search);
+    leave_out(search);
     if (weight_ <= weights_.last || bound() <= weights_.last) {
       search.outcome_ = SearchOutcome::found;
-      return;
+    } else {
+      search.outcome_ = SearchOutcome::improved;
+      weigh(search, std::max(weights_.last, std::min(weight_, bound()) - weights_.step));
     }
-    search.outcome_ = SearchOutcome::improved;
-    weigh(search, std::max(weights_.last, std::min(weight_, bound()) - weights_.step));
-    search.frontier_.rekey([&](StateId id) { return search.key_of(id); });
+    begin_round(search);
   }
 
-  /// Begins the next round with the states that are open or wait and can improve the path; raises the proven
-  /// least cost.
-  void gather(auto& search) {
+  /// Leaves out the states that are open or wait and cannot improve the path; raises the proven least cost.
+  void leave_out(auto& search) {
     Cost least = cost_;
     const auto leaves = [&](StateId id) {
       auto& node = search.nodes_[id];
@@ -203,16 +203,25 @@ class Rounds {
       --open_count_;
       return true;
     };
-    search.frontier_.erase_if([&](const auto& entry) {
-      const auto& node = search.nodes_[entry.id];
-      return closed(node) || node.g < entry.key.g || leaves(entry.id);
-    });
-    for (const StateId id : waiting_) {
-      if (!leaves(id)) search.frontier_.push(search.key_of(id), id);
+    for (const auto& entry : search.frontier_.entries()) {
+      if (is_live(search, entry)) leaves(entry.id);
     }
+    std::erase_if(waiting_, leaves);
+    lower_ = std::max(lower_, static_cast<double>(least));
+  }
+
+  /// Begins the next round with the states that are open or wait.
+  void begin_round(auto& search) {
+    search.frontier_.rebuild([&](const auto& entry) { return !is_live(search, entry); }, waiting_,
+                             [&](StateId id) { return search.key_of(id); });
     waiting_.clear();
     ++round_;
-    lower_ = std::max(lower_, static_cast<double>(least));
+  }
+
+  /// Is it the last entry of a state that this round may expand?
+  bool is_live(const auto& search, const auto& entry) const {
+    const auto& node = search.nodes_[entry.id];
+    return !closed(node) && !(node.g < entry.key.g);
   }
 
   /// Makes g of each state of the path what the path costs until there.
@@ -232,7 +241,7 @@ class Rounds {
       const auto arrival = node.arrival();
       search.nodes_.open(node, g, arrival);
       observer.on_relax(state, arrival, g);
-      open(search, state, node);
+      open(search, state, path_[i - 1], node);
     }
     cost_ = g;
   }
