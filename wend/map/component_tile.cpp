@@ -1,6 +1,6 @@
 #include "wend/map/component_tile.hpp"
 
-#include <algorithm>
+#include "wend/map/disjoint_sets.hpp"
 
 namespace wend {
 namespace {
@@ -25,19 +25,8 @@ class RunSets {
     return count_++;
   }
 
-  std::uint16_t root(std::uint16_t run) {
-    while (parents_[run] != run) {
-      parents_[run] = parents_[parents_[run]];
-      run = parents_[run];
-    }
-    return run;
-  }
-
-  void join(std::uint16_t a, std::uint16_t b) {
-    a = root(a);
-    b = root(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
+  std::uint16_t root(std::uint16_t run) { return root_in(parents_, run); }
+  void join(std::uint16_t a, std::uint16_t b) { join_in(parents_, a, b); }
 
   Run bits(std::uint16_t run) const { return runs_[run]; }
   std::uint16_t size() const { return count_; }

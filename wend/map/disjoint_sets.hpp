@@ -10,6 +10,24 @@
 
 namespace wend {
 
+/// Union-find in an array of parents, in which a root is its own: the root of a set; halves the path to it.
+template <class Parents, class Index>
+Index root_in(Parents& parents, Index set) {
+  while (parents[set] != set) {
+    parents[set] = parents[parents[set]];
+    set = parents[set];
+  }
+  return set;
+}
+
+/// Joins two sets. The smaller root wins.
+template <class Parents, class Index>
+void join_in(Parents& parents, Index a, Index b) {
+  a = root_in(parents, a);
+  b = root_in(parents, b);
+  parents[std::max(a, b)] = std::min(a, b);
+}
+
 /// Union-find with path halving. The smaller root wins, so that sets are numbered in the order in which
 /// they were added. Almost O(1) for each call.
 class DisjointSets {
@@ -24,19 +42,8 @@ class DisjointSets {
     return parents_.back();
   }
 
-  std::uint32_t root(std::uint32_t set) {
-    while (parents_[set] != set) {
-      parents_[set] = parents_[parents_[set]];
-      set = parents_[set];
-    }
-    return set;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
+  std::uint32_t root(std::uint32_t set) { return root_in(parents_, set); }
+  void join(std::uint32_t a, std::uint32_t b) { join_in(parents_, a, b); }
 
   std::size_t size() const { return parents_.size(); }
 

@@ -133,14 +133,30 @@ class ObserverAdapter {
   SearchObserver& observer_;
 };
 
-/// What every engine around a search has in common; how the search begins is the engine's own.
-template <class Engine, class Names, class Search>
-class EngineAround : public Engine {
+/// A ForwardSearch behind the interface of a SearchEngine. In rounds, run() ends with SearchOutcome::improved at each
+/// better path or bound; the next run() or step() goes on.
+template <class Engine, class Names, class Space, class Frontier, class Priority,
+          DuplicateRule kDuplicates, class Links = StepLinks,
+          template <class> class Store = DenseNodes>
+class SearchEngineOf final : public Engine {
  public:
-  template <class... Parts>
-  explicit EngineAround(Parts&&... parts) : search_(std::forward<Parts>(parts)...) {}
+  using Place = typename Engine::Place;
+  using Goal = typename Engine::Goal;
+
+  /// In rounds, with AnytimeWeights.
+  template <class... Weights>
+  SearchEngineOf(Space space, Priority priority, Weights... weights)
+      : search_(std::move(space), std::move(priority), weights...) {}
 
   bool allocated() const override { return search_.allocated() && search_.priority().allocated(); }
+
+  void begin(const Place& start, std::span<const Goal> goals, const Limits& limits,
+             SearchObserver* observer) override {
+    search_.priority().begin(goals, limits);
+    observer_ = observer;
+    const typename Space::State state = search_.space().state(start);
+    watched([&](auto&& watcher) { search_.begin({&state, 1}, limits, watcher); });
+  }
 
   SearchOutcome step() override {
     watched([&](auto&& watcher) { search_.step(watcher); });
@@ -152,11 +168,14 @@ class EngineAround : public Engine {
     return outcome();
   }
 
+  std::uint64_t time_taken() const override {
+    constexpr bool kLooksForParents = !std::is_same_v<Links, StepLinks>;
+    return (Search::kInRounds || kLooksForParents ? 400 : 32) * search_.metrics().expanded;
+  }
+
   const SearchMetrics& metrics() const override { return search_.metrics(); }
   OpenList open_list(std::size_t most) const override { return open_list_of<Names>(search_, most); }
-  double heuristic(const typename Engine::Place& place) const override {
-    return search_.priority().h(place);
-  }
+  double heuristic(const Place& place) const override { return search_.priority().h(place); }
 
   void write_path(Path& path) const override {
     path.clear();
@@ -166,10 +185,16 @@ class EngineAround : public Engine {
     path.reverse();
   }
 
- protected:
-  void watch(SearchObserver* observer) { observer_ = observer; }
-  Search& search() { return search_; }
-  const Search& search() const { return search_; }
+  std::optional<double> bound() const override {
+    if constexpr (Search::kInRounds) {
+      return search_.bound();
+    } else {
+      return std::nullopt;
+    }
+  }
+
+ private:
+  using Search = ForwardSearch<Space, Frontier, Priority, kDuplicates, Links, Store>;
 
   /// Runs an action with the observer there is; the loop is compiled once for each case.
   template <class Action>
@@ -181,44 +206,24 @@ class EngineAround : public Engine {
     }
   }
 
- private:
-  /// A search whose estimates were broken off has found nothing that holds.
-  virtual SearchOutcome outcome() const {
-    return search_.priority().stopped().value_or(search_.outcome());
+  /// A search whose estimates were broken off has found nothing that holds; one in rounds heeds that, and keeps what
+  /// it found before.
+  SearchOutcome outcome() const {
+    if constexpr (Search::kInRounds) {
+      return search_.outcome();
+    } else {
+      return search_.priority().stopped().value_or(search_.outcome());
+    }
   }
 
   Search search_;
   SearchObserver* observer_ = nullptr;
 };
 
-template <class Engine, class Names, class Space, class Frontier, class Priority,
-          DuplicateRule kDuplicates, class Links = StepLinks,
+/// The engine of an anytime planner.
+template <class Engine, class Names, class Space, class Priority, class Links = StepLinks,
           template <class> class Store = DenseNodes>
-class SearchEngineOf final
-    : public EngineAround<Engine, Names,
-                          ForwardSearch<Space, Frontier, Priority, kDuplicates, Links, Store>> {
- public:
-  using Place = typename Engine::Place;
-  using Goal = typename Engine::Goal;
-
-  SearchEngineOf(Space space, Priority priority) : Base(std::move(space), std::move(priority)) {}
-
-  std::uint64_t time_taken() const override {
-    constexpr bool kLooksForParents = !std::is_same_v<Links, StepLinks>;
-    return (kLooksForParents ? 800 : 32) * this->metrics().expanded;
-  }
-
-  void begin(const Place& start, std::span<const Goal> goals, const Limits& limits,
-             SearchObserver* observer) override {
-    this->search().priority().begin(goals, limits);
-    this->watch(observer);
-    const typename Space::State state = this->search().space().state(start);
-    this->watched([&](auto&& watcher) { this->search().begin({&state, 1}, limits, watcher); });
-  }
-
- private:
-  using Base = EngineAround<Engine, Names,
-                            ForwardSearch<Space, Frontier, Priority, kDuplicates, Links, Store>>;
-};
+using AnytimeEngineOf = SearchEngineOf<Engine, Names, Space, HeapFrontier<typename Priority::Key>,
+                                       Priority, DuplicateRule::in_rounds, Links, Store>;
 
 }  // namespace wend

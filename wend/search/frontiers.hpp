@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "wend/base/bucket_queue.hpp"
@@ -109,6 +110,19 @@ class HeapFrontier {
   bool empty() const { return entries_.empty(); }
   void push(Key key, StateId id) { min_heap::push(entries_, Entry{key, age_rank_--, id}); }
   Entry pop() { return min_heap::pop(entries_); }
+
+  const Entry& front() const { return entries_.front(); }
+
+  const std::vector<Entry>& entries() const { return entries_; }
+
+  /// Removes the entries for which leaves(entry) is true, pushes others, and gives each the key key_of(id). O(n).
+  template <class Leaves, class KeyOf>
+  void rebuild(Leaves&& leaves, std::span<const StateId> pushed, KeyOf&& key_of) {
+    std::erase_if(entries_, leaves);
+    for (const StateId id : pushed) entries_.push_back({{}, age_rank_--, id});
+    for (Entry& entry : entries_) entry.key = key_of(entry.id);
+    min_heap::make(entries_);
+  }
 
  private:
   std::vector<Entry> entries_;

@@ -4,11 +4,11 @@
 //
 // StepLinks is what most searches use. Other links choose parents: `link` says how a state that is
 // being expanded reaches a successor, given the cost of the step between them; none: not at all. It
-// is not asked about successors that are closed. ParentLinks choose the state that is expanded, in
-// spaces with more moves than a MoveNode can number, or moves that cannot be undone.
+// is not asked about successors that are closed, except in rounds. ParentLinks choose the state that is
+// expanded, in spaces with more moves than a MoveNode can number, or moves that cannot be undone.
 //
-// They may also have settled(search, state), which costs nothing if it is not there: another link to a state that is about to be expanded, or none if it keeps the
-//   one that it has.
+// They may also have settled(search, state), which costs nothing if it is not there: another link to a state
+// that is about to be expanded, or none if it keeps the one that it has.
 
 #include <optional>
 

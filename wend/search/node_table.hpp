@@ -34,9 +34,6 @@ class MoveNode {
   Arrival arrival() const { return static_cast<Arrival>(tag_ & kMoveMask); }
   bool closed() const { return (tag_ & kClosed) != 0; }
   void close() { tag_ |= kClosed; }
-  void reopen() { tag_ &= ~kClosed; }
-  /// Makes it a node that the search has not reached.
-  void forget() { tag_ = 0; }
 
  private:
   template <class Node, unsigned kGenerationBits>

@@ -17,13 +17,8 @@ struct ParentsTakenOnTrust {
 
   static std::optional<Link<double>> link(const auto& search, const GridState& state,
                                           const GridState& next, double step_cost) {
-    const StateId id = state.number;
-    const StateId parent = search.arrival(id);
-    const Link<double> step{id, search.g(id) + step_cost};
-    if (parent == search.kNoArrival) return step;
-    const GridState from = search.space().state(parent);
-    const Link<double> line{parent, search.g(parent) + search.space().distance(from, next)};
-    return line_costs_more(search, line, step) ? step : line;
+    const auto [step, line] = step_and_line(search, state, next, step_cost);
+    return line.value_or(step);
   }
 
   static std::optional<Link<double>> settled(const auto& search, const GridState& state) {

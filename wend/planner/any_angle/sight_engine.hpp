@@ -4,6 +4,7 @@
 // Links choose the parents. A path is the cells at which it turns, joined by lines.
 
 #include <memory>
+#include <optional>
 
 #include "wend/planner/any_angle/any_angle_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
@@ -35,11 +36,23 @@ inline Link<double> with_shifted_turn(const auto& search, const GridState& state
   return link;
 }
 
-/// Is a step cheaper than the line from its parent's parent? Only where cells have costs.
+/// Two ways to the next state: by the step from the one that is expanded, and by the line from its parent.
+struct StepAndLine {
+  Link<double> step;
+  std::optional<Link<double>>
+      line;  // if there is a parent, and the step is not cheaper, as it may be on costs
+};
+
 template <class Search>
-bool line_costs_more(const Search& /*search*/, const Link<double>& line, const Link<double>& step) {
-  if constexpr (!Search::SpaceType::kCosts) return false;
-  return step.g < line.g;
+StepAndLine step_and_line(const Search& search, const GridState& state, const GridState& next,
+                          double step_cost) {
+  const StateId parent = search.arrival(state.number);
+  const Link<double> step{state.number, search.g(state.number) + step_cost};
+  if (parent == search.kNoArrival) return {step, {}};
+  const GridState from = search.space().state(parent);
+  const Link<double> line{parent, search.g(parent) + search.space().distance(from, next)};
+  if (Search::SpaceType::kCosts && step.g < line.g) return {step, {}};
+  return {step, line};
 }
 
 /// The parts of a planner with such links.

@@ -15,16 +15,11 @@ struct ParentsInSight {
 
   static std::optional<Link<double>> link(const auto& search, const GridState& state,
                                           const GridState& next, double step_cost) {
-    const StateId id = state.number;
-    const StateId parent = search.arrival(id);
-    const Link<double> step{id, search.g(id) + step_cost};
-    if (parent == search.kNoArrival) return step;
-    const GridState from = search.space().state(parent);
-    const Link<double> line{parent, search.g(parent) + search.space().distance(from, next)};
-    if (line_costs_more(search, line, step)) return step;
+    const auto [step, line] = step_and_line(search, state, next, step_cost);
+    if (!line) return step;
     // The step is not cheaper than the line, so sight matters only if the line is cheaper.
-    if (search.reached(next.number) && !(line.g < search.g(next.number))) return std::nullopt;
-    return search.space().sees(from, next) ? line : step;
+    if (search.reached(next.number) && !(line->g < search.g(next.number))) return std::nullopt;
+    return search.space().sees(search.space().state(line->parent), next) ? line : step;
   }
 
   static std::optional<Link<double>> settled(const auto& search, const GridState& state) {

@@ -11,22 +11,23 @@
 #include <utility>
 
 #include "wend/base/bucket_queue.hpp"
+#include "wend/planner/costs/cost_grid.hpp"
+#include "wend/planner/costs/integer_search.hpp"
 #include "wend/planner/costs/landmarks.hpp"
 #include "wend/planner/costs/run_node.hpp"
 #include "wend/planner/costs/run_stops.hpp"
 #include "wend/planner/costs/whole_estimate.hpp"
-#include "wend/planner/costs/whole_search.hpp"
 #include "wend/space/grid/octile.hpp"
 
 namespace wend {
 
 /// Costs of the type Cost on a grid of Words, in Units: CostUnits, or OctileUnits where every cell costs the same.
 template <class Cost, class Word, class Units>
-class LeapSearch final : public WholeSearch<LeapSearch<Cost, Word, Units>, Word, Units> {
+class LeapSearch final : public IntegerSearch {
  public:
   LeapSearch(std::shared_ptr<const CostGrid<Word>> its_grid, const BestFirst& parts,
              std::shared_ptr<const Landmarks> landmarks = nullptr)
-      : Base(std::move(its_grid)),
+      : grid_(std::move(its_grid)),
         landmarks_(std::move(landmarks)),
         words_(grid().words()),
         log_position_(grid().log_end()),
@@ -57,6 +58,16 @@ class LeapSearch final : public WholeSearch<LeapSearch<Cost, Word, Units>, Word,
     reach(id, start, 0, Node::kNoArrival);
     count_open(queue_.size());
     if (overflown_) end(SearchOutcome::cost_overflow);
+  }
+
+  SearchOutcome step() override {
+    advance();
+    return outcome();
+  }
+
+  SearchOutcome run() override {
+    while (outcome() == SearchOutcome::running) advance();
+    return outcome();
   }
 
   OpenList open_list(std::size_t most) const override {
@@ -104,18 +115,6 @@ class LeapSearch final : public WholeSearch<LeapSearch<Cost, Word, Units>, Word,
   }
 
  private:
-  using Base = WholeSearch<LeapSearch, Word, Units>;
-  friend Base;
-  using Base::begin_counting;
-  using Base::count_expansion;
-  using Base::count_open;
-  using Base::count_reached;
-  using Base::end;
-  using Base::event_of;
-  using Base::grid;
-  using Base::outcome;
-  using Base::stopped;
-  using Base::units_per_cell;
   using Grid = CostGrid<Word>;
   using Node = RunNode<Cost>;
 
@@ -129,6 +128,12 @@ class LeapSearch final : public WholeSearch<LeapSearch<Cost, Word, Units>, Word,
   static constexpr StateId kFewestToPrefetch = 1U << 17U;
   static constexpr std::uint64_t kNoCost = UINT64_MAX;
   static constexpr std::uint64_t kMostCost = std::numeric_limits<Cost>::max() / 2;
+
+  const Grid& grid() const { return *grid_; }
+
+  double units_per_cell() const {
+    return 2.0 * static_cast<double>(grid().one()) * Units::kStraight;
+  }
 
   /// A bucket is between 1/8 and 1/16 of the cheapest straight step wide.
   static unsigned width_bits_for(std::uint64_t least_steps) {
@@ -352,11 +357,11 @@ class LeapSearch final : public WholeSearch<LeapSearch<Cost, Word, Units>, Word,
     count_reached(id, reached);
   }
 
-  CellArrival arrival_of(StateId id) const {
+  CellArrival arrival_of(StateId id) const override {
     const Node& node = nodes_[id];
     const Cell cell = grid().cell(id);
     CellArrival arrival{
-        static_cast<double>(node.g) / units_per_cell(), estimate_in_cells(cell), {}};
+        cell, static_cast<double>(node.g) / units_per_cell(), estimate_in_cells(cell), {}};
     if (node.move() != kNoMove) {
       arrival.parent = wend::step(cell, opposite(static_cast<Direction>(node.move())),
                                   static_cast<int>(node.run()));
@@ -364,6 +369,7 @@ class LeapSearch final : public WholeSearch<LeapSearch<Cost, Word, Units>, Word,
     return arrival;
   }
 
+  std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const Landmarks> landmarks_;  // null: none, or no longer
   Landmarks::Bounds bounds_;                    // of the present query
   const Word* words_;

@@ -1,16 +1,16 @@
 // ARA*: M. Likhachev, G. Gordon and S. Thrun, "ARA*: Anytime A* with Provable Bounds on Sub-Optimality", NIPS
-// 2003. AnytimeSearch on cells.
+// 2003. A ForwardSearch in rounds.
 
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <type_traits>
 
-#include "wend/planner/anytime_engine.hpp"
 #include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/planner/search_engine.hpp"
 
 namespace wend {
 namespace {

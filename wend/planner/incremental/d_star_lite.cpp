@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "wend/planner/costs/cost_grid_parts.hpp"
+#include "wend/planner/costs/integer_search.hpp"
 #include "wend/planner/costs/leap_engine.hpp"
 #include "wend/planner/costs/whole_estimate.hpp"
-#include "wend/planner/costs/whole_search.hpp"
 #include "wend/planner/incremental/consistent_nodes.hpp"
 #include "wend/planner/incremental/incremental_options.hpp"
 #include "wend/planner/incremental/kept_roots.hpp"
@@ -22,10 +22,10 @@ namespace wend {
 namespace {
 
 template <class Word, class Units>
-class DStarLite final : public WholeSearch<DStarLite<Word, Units>, Word, Units> {
+class DStarLite final : public IntegerSearch {
  public:
   DStarLite(std::shared_ptr<const CostGrid<Word>> its_grid, const BestFirst& parts)
-      : Base(std::move(its_grid)),
+      : grid_(std::move(its_grid)),
         estimate_(parts, grid().least_steps()),
         nodes_(grid().state_count()) {}
 
@@ -37,6 +37,16 @@ class DStarLite final : public WholeSearch<DStarLite<Word, Units>, Word, Units> 
     if (!begin_counting(limits, observer)) return;
     begin_at(start, goals);
     count_open(nodes_.open_count());
+  }
+
+  SearchOutcome step() override {
+    advance();
+    return outcome();
+  }
+
+  SearchOutcome run() override {
+    while (outcome() == SearchOutcome::running) advance();
+    return outcome();
   }
 
   OpenList open_list(std::size_t most) const override {
@@ -67,18 +77,6 @@ class DStarLite final : public WholeSearch<DStarLite<Word, Units>, Word, Units> 
   }
 
  private:
-  using Base = WholeSearch<DStarLite, Word, Units>;
-  friend Base;
-  using Base::begin_counting;
-  using Base::count_expansion;
-  using Base::count_open;
-  using Base::count_reached;
-  using Base::end;
-  using Base::event_of;
-  using Base::grid;
-  using Base::outcome;
-  using Base::stopped;
-  using Base::units_per_cell;
   using Grid = CostGrid<Word>;
   static constexpr std::uint64_t kNever = ConsistentNodes::kNever;
 
@@ -86,6 +84,8 @@ class DStarLite final : public WholeSearch<DStarLite<Word, Units>, Word, Units> 
     StateId id;
     std::uint64_t cost;  // of the path by way of it
   };
+
+  const Grid& grid() const { return *grid_; }
 
   void begin_at(const Cell& start, std::span<const GoalRegion> goals) {
     const auto changes = roots_.take(grid(), goals);
@@ -210,11 +210,13 @@ class DStarLite final : public WholeSearch<DStarLite<Word, Units>, Word, Units> 
     count_open(nodes_.open_count());
   }
 
-  CellArrival arrival_of(StateId id) const {
+  CellArrival arrival_of(StateId id) const override {
     const std::uint64_t cost = std::min(nodes_.g(id), nodes_.rhs(id));
+    const double units_per_cell = 2.0 * static_cast<double>(grid().one()) * Units::kStraight;
     const double g = cost == kNever ? std::numeric_limits<double>::infinity()
-                                    : static_cast<double>(cost) / units_per_cell();
-    CellArrival arrival{g, estimate_.cells(grid().cell(id)), {}};
+                                    : static_cast<double>(cost) / units_per_cell;
+    const Cell cell = grid().cell(id);
+    CellArrival arrival{cell, g, estimate_.cells(cell), {}};
     if (nodes_.rhs(id) == 0) return arrival;
     if (const Successor best = best_successor(id); best.id != id) {
       arrival.parent = grid().cell(best.id);
@@ -222,6 +224,7 @@ class DStarLite final : public WholeSearch<DStarLite<Word, Units>, Word, Units> 
     return arrival;
   }
 
+  std::shared_ptr<const Grid> grid_;
   WholeEstimate<Units> estimate_;  // to the start
   ConsistentNodes nodes_;
   KeptRoots<Word> roots_;

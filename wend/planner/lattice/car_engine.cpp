@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "wend/planner/anytime_engine.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
 #include "wend/planner/widening_engine.hpp"

@@ -15,7 +15,7 @@
 #include "wend/planner/leaving_motion.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/search_engine.hpp"
-#include "wend/search/anytime_search.hpp"
+#include "wend/search/rounds.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
 #include "wend/space/lattice/motion_lattice.hpp"
 

@@ -62,7 +62,7 @@ class LatticePriority {
     return around_obstacles_ == nullptr ? std::nullopt : around_obstacles_->stopped();
   }
 
-  /// For an AnytimeSearch, in real numbers: the weight of its next round.
+  /// For a search in rounds, in real numbers: the weight of the next one.
   void weigh(double weight) { weight_ = weight; }
   /// For the same: at most the cost of a path through the state.
   Cost total(const State& state, Cost g) const

@@ -5,7 +5,6 @@
 
 #include "wend/geometry/compass.hpp"
 #include "wend/geometry/trigonometry.hpp"
-#include "wend/planner/anytime_engine.hpp"
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
 #include "wend/search/frontiers.hpp"

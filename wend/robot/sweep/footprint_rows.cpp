@@ -25,17 +25,6 @@ struct Reach {
   }
 };
 
-bool is_convex(std::span<const Point> corners) {
-  const std::size_t count = corners.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point& a = corners[i];
-    const Point& b = corners[(i + 1) % count];
-    const Point& c = corners[(i + 2) % count];
-    if ((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) < 0) return false;
-  }
-  return true;
-}
-
 /// An edge of a shape, from its lower end to its upper one.
 struct Slope {
   Point low;
@@ -144,6 +133,17 @@ bool is_blocked(const FreeSpace& space, int row, const Reach& reach, double grow
 }
 
 }  // namespace
+
+bool is_convex(std::span<const Point> corners) {
+  const std::size_t count = corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point& a = corners[i];
+    const Point& b = corners[(i + 1) % count];
+    const Point& c = corners[(i + 2) % count];
+    if ((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) < 0) return false;
+  }
+  return true;
+}
 
 FootprintRows::FootprintRows(const Polygon& outline)
     : corners_(outline.corners()), convex_(is_convex(outline.corners())) {}

@@ -3,6 +3,7 @@
 // FootprintRows: a robot's polygon, grown by a margin, as an interval of cells in each row of the map, and whether
 // any of these cells is blocked: 64 cells at a time.
 
+#include <span>
 #include <vector>
 
 #include "wend/geometry/polygon.hpp"
@@ -10,6 +11,9 @@
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
+
+/// Does a polygon, whose corners are given counterclockwise, have no hollow?
+bool is_convex(std::span<const Point> corners);
 
 class FootprintRows {
  public:

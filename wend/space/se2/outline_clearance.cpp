@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "wend/geometry/trigonometry.hpp"
+#include "wend/robot/sweep/footprint_rows.hpp"
 #include "wend/robot/sweep/sweep.hpp"
 #include "wend/space/se2/motion.hpp"
 
@@ -13,17 +14,6 @@ namespace wend {
 namespace {
 
 constexpr std::size_t kCellsPerCorner = 16;
-
-bool is_convex(const std::vector<Point>& corners) {
-  const std::size_t count = corners.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point& a = corners[i];
-    const Point& b = corners[(i + 1) % count];
-    const Point& c = corners[(i + 2) % count];
-    if ((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) < 0) return false;
-  }
-  return true;
-}
 
 /// Calls visit(x, y) with each convex corner of the blocked cells, some of them twice.
 template <class Visit>

@@ -1,19 +1,13 @@
 #pragma once
 
-// WholeSearch: what the searches in whole numbers on a CostGrid have in common: the loop, limits, metrics, and the
-// events for an observer.
-//
-// Search derives from it. Its advance() expands one state or ends the search; arrival_of(id) says how a cell was
-// reached, for events.
+// IntegerSearch: what the searches in whole numbers on a CostGrid have in common: limits, metrics, and the events for
+// an observer. Each has its own loop.
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <utility>
 
-#include "wend/planner/costs/cost_grid.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/search/limit_check.hpp"
 
@@ -21,29 +15,17 @@ namespace wend {
 
 /// How a cell was reached, as people see it: costs in cells.
 struct CellArrival {
+  Cell cell;
   double g;
   double h;
   std::optional<Cell> parent;
 };
 
-template <class Search, class Word, class Units>
-class WholeSearch : public GridEngine {
+class IntegerSearch : public GridEngine {
  public:
-  SearchOutcome step() final {
-    search().advance();
-    return outcome_;
-  }
-
-  SearchOutcome run() final {
-    while (outcome_ == SearchOutcome::running) search().advance();
-    return outcome_;
-  }
-
   const SearchMetrics& metrics() const final { return metrics_; }
 
  protected:
-  const CostGrid<Word>& grid() const { return *grid_; }
-
   SearchOutcome outcome() const { return outcome_; }
   void end(SearchOutcome outcome) { outcome_ = outcome; }
 
@@ -52,7 +34,7 @@ class WholeSearch : public GridEngine {
     limits_.begin(limits);
     observer_ = observer;
     metrics_ = {};
-    outcome_ = search().allocated() ? SearchOutcome::running : SearchOutcome::out_of_memory;
+    outcome_ = allocated() ? SearchOutcome::running : SearchOutcome::out_of_memory;
     return outcome_ == SearchOutcome::running;
   }
 
@@ -81,23 +63,15 @@ class WholeSearch : public GridEngine {
   }
 
   SearchEvent event_of(StateId id) const {
-    const CellArrival arrival = search().arrival_of(id);
+    const CellArrival arrival = arrival_of(id);
     SearchEvent event{{}, {}, arrival.g, arrival.h, arrival.g + arrival.h};
-    event.cell = grid_->cell(id);
+    event.cell = arrival.cell;
     event.parent = arrival.parent;
     return event;
   }
 
-  double units_per_cell() const {
-    return 2.0 * static_cast<double>(grid_->one()) * Units::kStraight;
-  }
-
  private:
-  friend Search;
-  explicit WholeSearch(std::shared_ptr<const CostGrid<Word>> grid) : grid_(std::move(grid)) {}
-
-  Search& search() { return static_cast<Search&>(*this); }
-  const Search& search() const { return static_cast<const Search&>(*this); }
+  virtual CellArrival arrival_of(StateId id) const = 0;
 
   [[gnu::noinline]] void tell_reached(StateId id, bool again) {
     if (again) {
@@ -107,7 +81,6 @@ class WholeSearch : public GridEngine {
     }
   }
 
-  std::shared_ptr<const CostGrid<Word>> grid_;
   LimitCheck limits_;
   SearchObserver* observer_ = nullptr;
   SearchMetrics metrics_;
