@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/map/row_bits.hpp"
 #include "wend/robot/sweep/placed_polygon.hpp"
 
 namespace wend {
@@ -42,20 +43,6 @@ struct Slope {
     reach.include(high.y <= top ? high.x : low.x + (top - low.y) * per_row);
   }
 };
-
-/// Is any of the cells from `first` to `last`, both on the map, set in a row?
-bool any_set(std::span<const std::uint64_t> words, int first, int last) {
-  const auto begin = static_cast<std::size_t>(first) + 1;  // the bit of cell x is x + 1
-  const auto end = static_cast<std::size_t>(last) + 1;
-  const std::uint64_t from = ~std::uint64_t{0} << (begin % 64);
-  const std::uint64_t to = ~std::uint64_t{0} >> (63 - end % 64);
-  if (begin / 64 == end / 64) return (words[begin / 64] & from & to) != 0;
-  if ((words[begin / 64] & from) != 0 || (words[end / 64] & to) != 0) return true;
-  for (std::size_t i = begin / 64 + 1; i < end / 64; ++i) {
-    if (words[i] != 0) return true;
-  }
-  return false;
-}
 
 /// Some rows of the map, one above the other, and how far a shape reaches in each.
 class Band {

@@ -1,26 +1,18 @@
 #include "wend/space/grid/cell_sight.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
 
+#include "wend/map/row_bits.hpp"
+
 namespace wend {
 namespace {
 
-/// Is any of the cells of a row from `first` to `last` set, either of which may be the left one?
-bool any_set(const BitGrid& cells, int y, int first, int last) {
-  if (first > last) std::swap(first, last);
-  const auto row = cells.row_words(y);
-  const auto begin = static_cast<std::size_t>(first) + 1;  // the bit of cell x is x + 1
-  const auto end = static_cast<std::size_t>(last) + 1;
-  const std::uint64_t from = ~std::uint64_t{0} << (begin % 64);
-  const std::uint64_t to = ~std::uint64_t{0} >> (63 - end % 64);
-  if (begin / 64 == end / 64) return (row[begin / 64] & from & to) != 0;
-  if ((row[begin / 64] & from) != 0 || (row[end / 64] & to) != 0) return true;
-  const auto words = row.subspan(begin / 64 + 1, end / 64 - begin / 64 - 1);
-  return std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; });
+/// Is any of the cells of a row between two set, of which either may be the left one?
+bool any_between(const BitGrid& cells, int y, int a, int b) {
+  return any_set(cells.row_words(y), std::min(a, b), std::max(a, b));
 }
 
 /// Where a line from the centre of a cell crosses the upper edges of rows: in which column, counted from that cell in the
@@ -58,7 +50,7 @@ class Crossings {
 
 bool cells_in_sight(const BitGrid& blocked, Cell a, Cell b, Adjacency adjacency) {
   if (a.y > b.y) std::swap(a, b);
-  if (a.y == b.y) return !any_set(blocked, a.y, a.x, b.x);
+  if (a.y == b.y) return !any_between(blocked, a.y, a.x, b.x);
   const int side = b.x < a.x ? -1 : 1;
   Crossings crossing(static_cast<std::uint32_t>(std::abs(b.x - a.x)),
                      static_cast<std::uint32_t>(b.y - a.y));
@@ -66,14 +58,14 @@ bool cells_in_sight(const BitGrid& blocked, Cell a, Cell b, Adjacency adjacency)
   for (int y = a.y; y < b.y; ++y, crossing.go_on()) {
     const int next = a.x + side * static_cast<int>(crossing.column());
     const int last = crossing.at_corner() ? next - side : next;
-    if (any_set(blocked, y, begin, last)) return false;
+    if (any_between(blocked, y, begin, last)) return false;
     if (crossing.at_corner() && adjacency == Adjacency::edges && blocked[{next, y}] &&
         blocked[{last, y + 1}]) {
       return false;
     }
     begin = next;
   }
-  return !any_set(blocked, b.y, begin, b.x);
+  return !any_between(blocked, b.y, begin, b.x);
 }
 
 }  // namespace wend
