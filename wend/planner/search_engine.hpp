@@ -16,6 +16,7 @@
 #include "wend/base/limits.hpp"
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
+#include "wend/robot/free_space.hpp"
 #include "wend/search/forward_search.hpp"
 #include "wend/search/frontiers.hpp"
 
@@ -54,6 +55,12 @@ class SearchEngine {
 
   /// The path of a search that has found a goal, into memory that is kept.
   virtual void write_path(Path& path) const = 0;
+
+  /// Lets go of the FreeSpace, so that an edit need not copy it, and keeps its memory for update(). False: it can not, and
+  /// must go.
+  virtual bool release() { return false; }
+  /// After release(): takes the FreeSpace as it is after an edit.
+  virtual void update(const FreeSpace& /*space*/) {}
 
   /// What an anytime search has proven: the path costs at most this times the least cost. Unset for engines
   /// whose parts say it.
@@ -185,6 +192,14 @@ class SearchEngineOf final : public Engine {
     path.reverse();
   }
 
+  bool release() override {
+    if constexpr (kFollowsEdits) search_.space().release();
+    return kFollowsEdits;
+  }
+  void update(const FreeSpace& space) override {
+    if constexpr (kFollowsEdits) search_.space().update(space);
+  }
+
   std::optional<double> bound() const override {
     if constexpr (Search::kInRounds) {
       return search_.bound();
@@ -195,6 +210,8 @@ class SearchEngineOf final : public Engine {
 
  private:
   using Search = ForwardSearch<Space, Frontier, Priority, kDuplicates, Links, Store>;
+  static constexpr bool kFollowsEdits =
+      requires(Space space, const FreeSpace& other) { space.update(other); };
 
   /// Runs an action with the observer there is; the loop is compiled once for each case.
   template <class Action>

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,8 +21,15 @@ class WideningEngine final : public Engine {
   using Goal = typename Engine::Goal;
   using Make = std::function<std::unique_ptr<Engine>()>;
 
+  /// How to make one for a FreeSpace, where that holds it.
+  using MakeOn = std::function<std::unique_ptr<Engine>(const FreeSpace&)>;
+
   WideningEngine(const Make& make_compact, Make make_wide)
       : make_wide_(std::move(make_wide)), engine_(make_compact()) {}
+
+  /// An engine that follows edits.
+  WideningEngine(const FreeSpace& space, const MakeOn& make_compact, MakeOn make_wide)
+      : make_wide_on_(std::move(make_wide)), space_(space), engine_(make_compact(space)) {}
 
   bool allocated() const override { return engine_->allocated(); }
 
@@ -52,11 +60,21 @@ class WideningEngine final : public Engine {
   double heuristic(const Place& place) const override { return engine_->heuristic(place); }
   void write_path(Path& path) const override { engine_->write_path(path); }
 
+  bool release() override {
+    if (!make_wide_on_ || !engine_->release()) return false;
+    space_.reset();
+    return true;
+  }
+  void update(const FreeSpace& space) override {
+    space_ = space;
+    engine_->update(space);
+  }
+
  private:
   void go_wide() {
     if (wide_) return;
     engine_.reset();  // its memory first
-    engine_ = make_wide_();
+    engine_ = make_wide_ ? make_wide_() : make_wide_on_(*space_);
     wide_ = true;
   }
 
@@ -71,6 +89,8 @@ class WideningEngine final : public Engine {
   }
 
   Make make_wide_;
+  MakeOn make_wide_on_;
+  std::optional<FreeSpace> space_;
   std::unique_ptr<Engine> engine_;
   bool wide_ = false;
   // What is needed to begin again.

@@ -72,6 +72,7 @@ class ForwardSearch {
   bool allocated() const { return nodes_.allocated(); }
 
   const Space& space() const { return space_; }
+  Space& space() { return space_; }
   Priority& priority() { return priority_; }
   const Priority& priority() const { return priority_; }
   const SearchMetrics& metrics() const { return metrics_; }

@@ -44,8 +44,8 @@ bool too_far(const FreeSpace& space) {
 std::unique_ptr<GridEngine> make_whole(const FreeSpace& space, const BestFirst& parts) {
   if (too_far(space)) return make_exact<ExactGrid>(space, parts);
   return std::make_unique<WideningEngine<GridEngine>>(
-      [&] { return make_exact<CompactGrid>(space, parts); },
-      [space, parts] { return make_exact<ExactGrid>(space, parts); });
+      space, [&](const FreeSpace& here) { return make_exact<CompactGrid>(here, parts); },
+      [parts](const FreeSpace& here) { return make_exact<ExactGrid>(here, parts); });
 }
 
 template <class Space>

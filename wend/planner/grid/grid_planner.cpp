@@ -160,7 +160,11 @@ std::optional<Error> GridPlanner::do_update(const SpaceChange& change) {
   do_release();
   if (repaired_parts_ && !change.everything) {
     take(repaired_parts_(free_space(), change));
+  } else if (engine_ != nullptr && !change.everything &&
+             uniform_ == free_space().uniform_terrain()) {
+    engine_->update(free_space());
   } else {
+    engine_.reset();
     repaired_parts_ = {};  // its memory first
     take(choose_parts_(free_space(), DeadlineCheck::never()));
   }
@@ -168,11 +172,12 @@ std::optional<Error> GridPlanner::do_update(const SpaceChange& change) {
 }
 
 void GridPlanner::do_release() {
-  engine_.reset();
+  if (engine_ != nullptr && (engine_.use_count() > 1 || !engine_->release())) engine_.reset();
   another_engine_ = {};
 }
 
 void GridPlanner::take(Parts parts) {
+  uniform_ = free_space().uniform_terrain();
   moves_ = parts.moves;
   engine_ = std::move(parts.engine);
   bound_ = parts.bound;

@@ -101,6 +101,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   std::function<std::unique_ptr<GridEngine>()> another_engine_;
   std::function<Parts(const FreeSpace&, const SpaceChange&)> repaired_parts_;
   GridQuery cells_;
+  bool uniform_ = true;              // did every cell cost the same when the parts were chosen?
   bool may_be_unreachable_ = false;  // nobody has asked for the components
 };
 

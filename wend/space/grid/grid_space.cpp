@@ -15,15 +15,28 @@ bool sweeps_diagonals(const FreeSpace& space, GridMoves moves) {
 template <class Steps>
 GridSpace<Steps>::GridSpace(FreeSpace space, GridMoves moves, MoveTable::Pruning pruning)
     : space_(std::move(space)),
-      passable_(&space_.passable()),
-      steps_(space_),
-      width_(static_cast<StateId>(space_.width())),
-      table_(moves, sweeps_diagonals(space_, moves) ? MoveTable::Pruning::none : pruning),
-      sweeps_(sweeps_diagonals(space_, moves)) {
+      passable_(&space_->passable()),
+      steps_(*space_),
+      width_(static_cast<StateId>(space_->width())),
+      table_(moves, sweeps_diagonals(*space_, moves) ? MoveTable::Pruning::none : pruning),
+      sweeps_(sweeps_diagonals(*space_, moves)) {
   for (std::size_t i = 0; i < kDirections; ++i) {
     id_offsets_[i] = static_cast<StateId>(kDirectionSteps[i].y) * width_ +
                      static_cast<StateId>(kDirectionSteps[i].x);
   }
+}
+
+template <class Steps>
+void GridSpace<Steps>::release() {
+  space_.reset();
+  passable_ = nullptr;
+}
+
+template <class Steps>
+void GridSpace<Steps>::update(FreeSpace space) {
+  space_ = std::move(space);
+  passable_ = &space_->passable();
+  steps_ = Steps(*space_);
 }
 
 template <class Steps>
@@ -32,7 +45,7 @@ DirectionSet GridSpace<Steps>::without_unsafe(Cell cell, DirectionSet moves) con
   for (unsigned left = moves & 0b10101010U; left != 0; left &= left - 1) {
     const auto direction = static_cast<unsigned>(std::countr_zero(left));
     const Cell to = step(cell, static_cast<Direction>(direction));
-    if (!space_.far_enough(squared_half_cell_way_clearance(space_, cell, to))) {
+    if (!space_->far_enough(squared_half_cell_way_clearance(*space_, cell, to))) {
       safe &= ~(1U << direction);
     }
   }
@@ -41,7 +54,7 @@ DirectionSet GridSpace<Steps>::without_unsafe(Cell cell, DirectionSet moves) con
 
 template <class Steps>
 bool GridSpace<Steps>::is_step(Cell from, Cell to) const {
-  if (!space_.passable(from) || !space_.passable(to)) return false;
+  if (!space_->passable(from) || !space_->passable(to)) return false;
   const unsigned moves = moves_from(from, kNoMove);
   for (unsigned direction = 0; direction < kDirections; ++direction) {
     const bool leads_there = neighbour(state(from), direction).cell == to;

@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/direction.hpp"
@@ -69,8 +70,13 @@ class GridSpace {
   explicit GridSpace(FreeSpace space, GridMoves moves = {},
                      MoveTable::Pruning pruning = MoveTable::Pruning::none);
 
-  const FreeSpace& free_space() const { return space_; }
-  StateId state_count() const { return static_cast<StateId>(space_.map().size()); }
+  const FreeSpace& free_space() const { return *space_; }
+  StateId state_count() const { return static_cast<StateId>(space_->map().size()); }
+
+  /// Lets go of the FreeSpace. Until update() nothing else may be asked.
+  void release();
+  /// Takes another FreeSpace of the same size, of the same robot.
+  void update(FreeSpace space);
 
   State state(Cell cell) const {
     return {static_cast<StateId>(cell.y) * width_ + static_cast<StateId>(cell.x), cell};
@@ -115,8 +121,8 @@ class GridSpace {
 
   DirectionSet without_unsafe(Cell cell, DirectionSet moves) const;
 
-  FreeSpace space_;
-  const BitGrid* passable_;  // of the FreeSpace
+  std::optional<FreeSpace> space_;  // nothing between release() and update()
+  const BitGrid* passable_;         // of the FreeSpace
   Steps steps_;
   StateId width_;
   MoveTable table_;
