@@ -60,14 +60,9 @@ class LeapSearch final : public IntegerSearch {
     if (overflown_) end(SearchOutcome::cost_overflow);
   }
 
-  SearchOutcome step() override {
-    advance();
-    return outcome();
-  }
-
+  SearchOutcome step() override { return advance(true); }
   SearchOutcome run() override {
-    while (outcome() == SearchOutcome::running) advance();
-    return outcome();
+    return outcome() == SearchOutcome::running ? advance(false) : outcome();
   }
 
   OpenList open_list(std::size_t most) const override {
@@ -180,8 +175,15 @@ class LeapSearch final : public IntegerSearch {
     }
   }
 
+  SearchOutcome advance(bool once) {
+    do {
+      expand_next();
+    } while (!once && outcome() == SearchOutcome::running);
+    return outcome();
+  }
+
   /// Expands one cell, or ends the search.
-  void advance() {
+  [[gnu::always_inline]] void expand_next() {
     while (!queue_.empty()) {
       const Entry entry = queue_.pop();
       if (best_ <= queue_.least_key()) break;

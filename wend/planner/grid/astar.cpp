@@ -33,7 +33,7 @@ PlannerInfo astar_planner() {
        .time =
            "O(n log n) in the n cells expanded; on uniform terrain log of a small bucket, on costs "
            "O(n)",
-       .memory = "8 bytes per cell, 16 per frontier entry; on terrain 13 and 12, or 21 and 24 if "
+       .memory = "8 bytes per cell, 16 per frontier entry; on terrain 13 and 8, or 21 and 16 if "
                  "sums of costs outgrow 32 bits; 16 and 24 with leaps=false, with euclidean, with "
                  "manhattan on 8 neighbours, with a weight other than 0 and 1, or with an observer",
        .bytes_per_cell = 8,

@@ -25,7 +25,7 @@ PlannerInfo dijkstra_planner() {
        .time =
            "O(n log n) in the n cells expanded; on uniform terrain log of a small bucket, on costs "
            "O(n)",
-       .memory = "8 bytes per cell, 16 per frontier entry; on terrain 13 and 12, or 21 and 24 if "
+       .memory = "8 bytes per cell, 16 per frontier entry; on terrain 13 and 8, or 21 and 16 if "
                  "sums of costs outgrow 32 bits; 16 and 24 with leaps=false or with an observer",
        .bytes_per_cell = 8,
        .when = "In mazes, and as a baseline; elsewhere astar expands fewer cells.",

@@ -39,14 +39,9 @@ class DStarLite final : public IntegerSearch {
     count_open(nodes_.open_count());
   }
 
-  SearchOutcome step() override {
-    advance();
-    return outcome();
-  }
-
+  SearchOutcome step() override { return advance(true); }
   SearchOutcome run() override {
-    while (outcome() == SearchOutcome::running) advance();
-    return outcome();
+    return outcome() == SearchOutcome::running ? advance(false) : outcome();
   }
 
   OpenList open_list(std::size_t most) const override {
@@ -168,7 +163,15 @@ class DStarLite final : public IntegerSearch {
     return nodes_.rhs(start_) != kNever && nodes_.g(start_) != nodes_.rhs(start_);
   }
 
-  void advance() {
+  SearchOutcome advance(bool once) {
+    do {
+      expand_next();
+    } while (!once && outcome() == SearchOutcome::running);
+    return outcome();
+  }
+
+  /// Expands one cell, or ends the search.
+  [[gnu::always_inline]] void expand_next() {
     while (!nodes_.empty()) {
       const ConsistentNodes::Key least = nodes_.least_key();
       if (!must_expand(least)) break;

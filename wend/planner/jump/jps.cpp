@@ -41,7 +41,7 @@ PlannerInfo jps_planner() {
       .guarantee_text = "optimal on 8 neighbours without corner cutting, on uniform terrain",
       .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
       .memory =
-          "1 bit per cell where it has searched, 44 bytes per jump point reached, 12 per frontier "
+          "1 bit per cell where it has searched, 44 bytes per jump point reached, 8 per frontier "
           "entry; on a prepared map 8 bytes per cell, 57 per jump point, 16 per shortcut used so "
           "far, 16 per jump point expanded so far; on large maps of noise as astar",
       .bytes_per_cell = 8,

@@ -7,6 +7,7 @@
 
 #include "wend/base/cpu_time.hpp"
 #include "wend/planner/se2/enclosure.hpp"
+#include "wend/planner/se2/hybrid_lattice.hpp"
 #include "wend/space/se2/coarse_size.hpp"
 
 namespace wend {
@@ -154,11 +155,17 @@ HybridSearch* HybridPortfolio::search_of(Kind kind) {
     const KindOfSearch& parts = kSearches[kind];
     const CoarseGrid* const grid = grid_of(parts.squares);
     if (grid == nullptr) return nullptr;
-    const bool wider = parts.motions == Motions::wider_shuffles;
-    member.search = std::make_unique<HybridSearch>(
-        ground_->check(), wider ? wider_steering_ : steering_, ring_of(parts), *grid,
-        resolution_of(parts.motions), parts.direction,
-        parts.motions == Motions::lattice ? lattice_.get() : nullptr);
+    const GoalRing& ring = ring_of(parts);
+    const HybridResolution resolution = resolution_of(parts.motions);
+    if (parts.motions == Motions::lattice) {
+      member.search = std::make_unique<HybridLattice>(ground_->check(), steering_, ring, *grid,
+                                                      resolution, parts.direction, *lattice_);
+    } else {
+      const bool wider = parts.motions == Motions::wider_shuffles;
+      member.search =
+          std::make_unique<HybridSearch>(ground_->check(), wider ? wider_steering_ : steering_,
+                                         ring, *grid, resolution, parts.direction);
+    }
   }
   if (!member.begun) {
     member.search->begin(start_, goals_, observer_, [this] { return interrupted().has_value(); });

@@ -32,6 +32,7 @@
 #include "wend/planner/se2/hybrid_ground.hpp"
 #include "wend/planner/se2/hybrid_search.hpp"
 #include "wend/planner/se2/pose_flood.hpp"
+#include "wend/space/se2/lattice_motions.hpp"
 
 namespace wend {
 

@@ -33,12 +33,11 @@ bool faces_away(const Pose& from, const Pose& to) {
 
 HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, GoalRing& ring,
                            const CoarseGrid& grid, const HybridResolution& resolution,
-                           Direction direction, const LatticeMotions* lattice)
+                           Direction direction)
     : check_(check),
       steering_(steering),
       grid_(grid),
       direction_(direction),
-      lattice_(lattice),
       resolution_(resolution),
       turning_(steering),
       ring_(ring),
@@ -166,16 +165,10 @@ void HybridSearch::expand(Index node) {
   for (const HybridGoal& goal : goals_) {
     if (goal.accepts(nodes_[node].pose)) offer_goal(node, goal);
   }
-  const bool to_goal = is_near_goal(node) && is_worth_trying(node);
-  if (lattice_ != nullptr) {
-    if (to_goal) try_goals(node);
-    if (node == 0) {
-      join_lattice(node);
-    } else {
-      expand_on_lattice(node);
-    }
-    return;
-  }
+  expand_from(node, is_near_goal(node) && is_worth_trying(node));
+}
+
+void HybridSearch::expand_from(Index node, bool to_goal) {
   const bool due = nodes_[node].traced || nodes_[node].age >= resolution_.trace_period;
   if (due) {
     nodes_[node].age = 0;
@@ -242,41 +235,12 @@ void HybridSearch::expand_to_contact(Index node, const Motion& primitive) {
   }
 }
 
-/// Connects the start to the poses of the lattice around it.
-void HybridSearch::join_lattice(Index node) {
-  const Pose start = nodes_[node].pose;
-  seen_[start] = kNone;  // a pose of the lattice may share its box
-  const Pose middle = lattice_->nearest(start);
-  constexpr int kAround = 6;  // poses of the lattice to each side
-  for (int dx = -kAround; dx <= kAround; ++dx) {
-    for (int dy = -kAround; dy <= kAround; ++dy) {
-      for (std::size_t heading = 0; heading < LatticeMotions::kHeadings; ++heading) {
-        connect_to(node,
-                   lattice_->pose(middle.x + dx * LatticeMotions::kSpacing,
-                                  middle.y + dy * LatticeMotions::kSpacing, heading),
-                   2, true);
-      }
-    }
-  }
-}
-
-void HybridSearch::expand_on_lattice(Index node) {
-  const Pose from = nodes_[node].pose;
-  for (const LatticeMotions::Step& step : lattice_->steps(lattice_->heading_of(from))) {
-    const Pose to = lattice_->after(from, step);
-    if (const auto cost = drive(node, step.motions, kNoWay)) {
-      add(node, step.motions, *cost, false, &to);
-    }
-  }
-}
-
 /// The cost of the way of a motion of this search's robot.
 double HybridSearch::way_of(const Pose& pose, const Motion& motion) const {
   return direction_ == Direction::from_start ? check_.cost(pose, motion)
                                              : check_.cost(facing_back(pose), facing_back(motion));
 }
 
-/// The cost of driving the motions from a node, if the robot can and it costs less than the limit.
 std::optional<double> HybridSearch::drive(Index node, std::span<const Motion> motions,
                                           double limit) {
   Pose pose = nodes_[node].pose;
@@ -295,7 +259,6 @@ std::optional<double> HybridSearch::drive(Index node, std::span<const Motion> mo
   return cost;
 }
 
-/// Adds the pose at the end of some motions, unless its box has one that is as good.
 bool HybridSearch::add(Index parent, std::span<const Motion> motions, double cost, bool traced,
                        const Pose* exactly) {
   const Node from = nodes_[parent];
@@ -362,7 +325,6 @@ void HybridSearch::connect_trace(Index node) {
   }
 }
 
-/// Adds the pose, by the cheapest of some connections that the robot can drive.
 bool HybridSearch::connect_to(Index node, const Pose& to, std::size_t words, bool exactly) {
   const Node& from = nodes_[node];
   const bool far = straight_distance(from.pose.point(), to.point()) > 4 * steering_.radius();

@@ -26,7 +26,6 @@
 #include "wend/search/search_outcome.hpp"
 #include "wend/space/se2/coarse_cost_field.hpp"
 #include "wend/space/se2/goal_ring.hpp"
-#include "wend/space/se2/lattice_motions.hpp"
 #include "wend/space/se2/motion_check.hpp"
 #include "wend/space/se2/steering.hpp"
 #include "wend/space/se2/turning_cost.hpp"
@@ -42,8 +41,10 @@ class HybridSearch {
   /// All but the resolution must outlive the search.
   HybridSearch(const MotionCheck& check, const Steering& steering, GoalRing& ring,
                const CoarseGrid& grid, const HybridResolution& resolution,
-               Direction direction = Direction::from_start,
-               const LatticeMotions* lattice = nullptr);
+               Direction direction = Direction::from_start);
+  virtual ~HybridSearch() = default;
+  HybridSearch(const HybridSearch&) = delete;
+  HybridSearch& operator=(const HybridSearch&) = delete;
 
   /// Begins a query. The goals and the observer (may be null) must outlive the search. A search from the goal needs
   /// one goal with a heading. `stop` is asked now and then whether the search must end; null: never. Once it has said
@@ -66,7 +67,7 @@ class HybridSearch {
   /// The heuristic from a pose to the goals of the query; no more than is known of it.
   double heuristic(const Pose& pose) const { return estimate(pose).cost; }
 
- private:
+ protected:
   using Index = std::uint32_t;
   static constexpr Index kNone = PoseTable::kNone;
 
@@ -83,6 +84,20 @@ class HybridSearch {
     std::uint8_t age;  // primitives since the last trace
   };
 
+  const Node& node(Index index) const { return nodes_[index]; }
+  /// No node has the pose's box any more.
+  void free_box(const Pose& pose) { seen_[pose] = kNone; }
+
+  /// Adds the pose, by the cheapest of some connections that the robot can drive.
+  bool connect_to(Index node, const Pose& to, std::size_t words, bool exactly = false);
+  /// The cost of driving the motions from a node, if the robot can and it costs less than the limit.
+  std::optional<double> drive(Index node, std::span<const Motion> motions, double limit);
+  /// Adds the pose at the end of some motions, unless its box has one that is as good.
+  bool add(Index parent, std::span<const Motion> motions, double cost, bool traced,
+           const Pose* exactly = nullptr);
+  void try_goals(Index node);
+
+ private:
   struct Open {
     double f;
     Index node;
@@ -98,6 +113,8 @@ class HybridSearch {
   bool may_stop(double least_f) const;
 
   void expand(Index node);
+  /// Adds what a pose leads to; `to_goal`: the goals are to be tried, too.
+  virtual void expand_from(Index node, bool to_goal);
   void expand_primitives(Index node);
   void expand_to_contact(Index node, const Motion& primitive);
   bool is_near_goal(Index node) const;
@@ -106,14 +123,7 @@ class HybridSearch {
   double arrival(const Pose& pose, const HybridGoal& goal) const;
   void expand_trace(Index node);
   void connect_trace(Index node);
-  bool connect_to(Index node, const Pose& to, std::size_t words, bool exactly = false);
-  void try_goals(Index node);
   bool try_goal(Index node, const HybridGoal& goal);
-  std::optional<double> drive(Index node, std::span<const Motion> motions, double limit);
-  void expand_on_lattice(Index node);
-  void join_lattice(Index node);
-  bool add(Index parent, std::span<const Motion> motions, double cost, bool traced,
-           const Pose* exactly = nullptr);
   void keep(Node& node, Index parent, std::span<const Motion> motions);
   void offer_goal(Index node, const HybridGoal& goal);
   void write_way(const Node& node);
@@ -123,7 +133,6 @@ class HybridSearch {
   const Steering& steering_;
   const CoarseGrid& grid_;
   Direction direction_;
-  const LatticeMotions* lattice_;
   HybridGoal start_as_goal_;
   HybridResolution resolution_;
   TurningCost turning_;
