@@ -11,7 +11,7 @@ namespace wend {
 class HybridLattice final : public HybridSearch {
  public:
   /// All but the resolution must outlive the search.
-  HybridLattice(const MotionCheck& check, const Steering& steering, const GoalRing& ring,
+  HybridLattice(const MotionCheck& check, const Steering& steering, GoalRing& ring,
                 const CoarseGrid& grid, const HybridResolution& resolution, Direction direction,
                 const LatticeMotions& lattice)
       : HybridSearch(check, steering, ring, grid, resolution, direction), lattice_(lattice) {}

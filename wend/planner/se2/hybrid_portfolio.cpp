@@ -155,7 +155,7 @@ HybridSearch* HybridPortfolio::search_of(Kind kind) {
     const KindOfSearch& parts = kSearches[kind];
     const CoarseGrid* const grid = grid_of(parts.squares);
     if (grid == nullptr) return nullptr;
-    const GoalRing& ring = ring_of(parts);
+    GoalRing& ring = ring_of(parts);
     const HybridResolution resolution = resolution_of(parts.motions);
     if (parts.motions == Motions::lattice) {
       member.search = std::make_unique<HybridLattice>(ground_->check(), steering_, ring, *grid,
