@@ -22,14 +22,19 @@ set(WEND_TEXT_OPTIONS
 set(wend_precompiled_standard
     <algorithm>
     <array>
+    <atomic>
     <bit>
     <cassert>
+    <charconv>
     <cmath>
     <cstddef>
     <cstdint>
+    <cstring>
     <functional>
     <limits>
+    <map>
     <memory>
+    <mutex>
     <numeric>
     <optional>
     <set>
@@ -38,8 +43,9 @@ set(wend_precompiled_standard
     <string_view>
     <tl/expected.hpp>
     <utility>
+    <variant>
     <vector>)
-set(wend_precompiled_text ${wend_precompiled_standard} <filesystem> <map> <fmt/format.h>
+set(wend_precompiled_text ${wend_precompiled_standard} <filesystem> <fmt/format.h>
                           <nlohmann/json.hpp>)
 set(wend_precompiled_test ${wend_precompiled_text} <gmock/gmock.h> <gtest/gtest.h>
                           <rapidcheck/gtest.h>)
