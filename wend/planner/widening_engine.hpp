@@ -65,9 +65,9 @@ class WideningEngine final : public Engine {
     space_.reset();
     return true;
   }
-  void update(const FreeSpace& space) override {
+  void follow(const FreeSpace& space) override {
     space_ = space;
-    engine_->update(space);
+    engine_->follow(space);
   }
 
  private:
