@@ -149,8 +149,7 @@ Expected<PlannerSpec, Failure> planner_of(const wend_request& request) {
 Error unknown_field(std::string_view name) {
   std::vector<std::string> names;
   for (const RequestField& field : request_fields()) names.emplace_back(field.info.name);
-  return {Status::invalid_option, unknown_name("field of a request", name, names),
-          std::string(name)};
+  return {Status::invalid_option, unknown_name("field of a request", name, names), {}};
 }
 
 }  // namespace
