@@ -12,15 +12,17 @@
 #include "wend/io/available_memory.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
 #include "wend/map/masked.hpp"
+#include "wend/robot/robot_fields.hpp"
 #include "wend/session/session.hpp"
 
 namespace wend::cli {
 namespace {
 
 constexpr NumberRange kResolutions{1e-6, 1e6, "metres per cell"};
-constexpr NumberRange kDistances{0, 1e9, kMapUnit};
-constexpr NumberRange kCosts{0, 1e6};
 constexpr NumberRange kMegabytes{0, 1e9, "MB"};
+
+/// Does it say what cells cost, which not every command uses?
+bool is_of_costs(const RobotField& field) { return field.info.name.starts_with("clearance_"); }
 
 /// "5.3 GB", "120 MB"
 std::string size_of(double bytes) {
@@ -91,19 +93,20 @@ LoadedMap MapFileArguments::load_silently() const {
 }
 
 void RobotArguments::add_robot_to(Parser& app) {
-  const auto assign_radius = [this](const std::string& text) {
-    double radius = 0;
-    const std::string wrong =
-        parse_in_range(text, radius, kDistances.least, kDistances.greatest, kDistances.unit);
-    if (!wrong.empty()) refuse_value("--robot-radius", wrong);
-    footprint = Footprint::disc(radius);
-  };
-  const Argument radius =
-      app.add_option(
-             "--robot-radius", assign_radius,
-             wrapped("Radius of the robot, in metres, or cells on maps without a resolution "
-                     "and with --cells (default 0, a point)"))
-          .type_name("NUMBER");
+  for (const RobotField& field : robot_fields()) {
+    if (is_of_costs(field)) continue;
+    const Argument added = fields.add_to(app, field);
+    if (field.info.is_called("robot_radius")) {
+      add_footprint_to(app, added);
+    } else {
+      app.further({flag_of(field.info)});
+    }
+  }
+  app.add_flag("--cells", cells, wrapped("Use cells as the unit of length on maps in metres"));
+  app.further({"--cells"});
+}
+
+void RobotArguments::add_footprint_to(Parser& app, const Argument& radius) {
   const auto assign_footprint = [this](const std::string& text) {
     auto parsed = parse_footprint(text);
     if (!parsed) refuse_value("--footprint", parsed.error().message);
@@ -118,30 +121,12 @@ void RobotArguments::add_robot_to(Parser& app) {
                  "around the base point that covers a polygon"))
       .type_name("SHAPE")
       .excludes(radius);
-  add_choice<UnknownPolicy>(app, "--unknown", unknown,
-                            {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
-                            "Whether unknown cells are blocked or free (default blocked)");
-  add_choice<std::optional<OutsidePolicy>>(
-      app, "--outside", outside,
-      {{"blocked", OutsidePolicy::blocked}, {"free", OutsidePolicy::free}},
-      "Outside of the map: with free the robot's disc may extend beyond the map's edge (default "
-      "blocked for maps in metres, free for maps in cells)");
-  app.add_flag("--cells", cells, wrapped("Use cells as the unit of length on maps in metres"));
-  app.further({"--unknown", "--outside", "--cells"});
 }
 
 void RobotArguments::add_clearance_cost_to(Parser& app) {
-  const Argument distance = add_number(
-      app, "--clearance-distance", clearance_distance, kDistances,
-      "Distance to keep from obstacles where there is room, measured from the robot's edge; nearer "
-      "cells cost more (units as --robot-radius; default 0, off)");
-  add_number(app, "--keep-away", clearance_distance, kDistances, "").former_name_of(distance);
-  const Argument cost = add_number(
-      app, "--clearance-cost", clearance_cost, kCosts,
-      "Additional cost of a cell where the robot would touch an obstacle, as a multiple of the "
-      "cell's cost; it falls to 0 at --clearance-distance (default " +
-          format_number(FreeSpaceOptions{}.clearance_cost) + ")");
-  add_number(app, "--keep-away-cost", clearance_cost, kCosts, "").former_name_of(cost);
+  for (const RobotField& field : robot_fields()) {
+    if (is_of_costs(field)) fields.add_to(app, field);
+  }
   app.further({"--clearance-cost"});
 }
 
@@ -156,19 +141,21 @@ void RobotArguments::add_primitives_to(Parser& app) {
   app.further({"--primitives"});
 }
 
+FreeSpaceOptions RobotArguments::as_typed() const {
+  FreeSpaceOptions robot{.footprint = footprint};
+  fields.put(robot);
+  return robot;
+}
+
 FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
-  if (clearance_cost && clearance_distance.value_or(0) == 0) {
+  if (fields.typed("clearance_cost") && as_typed().clearance_distance == 0) {
     throw InputError("--clearance-cost changes nothing without --clearance-distance");
   }
   const Coordinates units = coordinates(map);
-  std::optional<MotionPrimitives> moves;
-  if (!primitives.empty()) moves = value_or_throw(load_primitives(primitives));
-  return {.footprint = footprint.scaled(units.in_metres(1)),
-          .unknown = unknown,
-          .outside = outside,
-          .clearance_distance = units.in_metres(clearance_distance.value_or(0)),
-          .clearance_cost = clearance_cost.value_or(FreeSpaceOptions{}.clearance_cost),
-          .primitives = std::move(moves)};
+  FreeSpaceOptions robot{.footprint = footprint.scaled(units.in_metres(1))};
+  fields.put(robot, units);
+  if (!primitives.empty()) robot.primitives = value_or_throw(load_primitives(primitives));
+  return robot;
 }
 
 FreeSpace RobotArguments::free_space(const GridMap& map) const {

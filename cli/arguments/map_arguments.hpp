@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/arguments/coordinates.hpp"
+#include "cli/arguments/field_flags.hpp"
 #include "cli/arguments/parser.hpp"
 #include "wend/io/map/load_mask.hpp"
 #include "wend/io/map/map_format.hpp"
@@ -37,11 +38,8 @@ struct MapFileArguments {
 
 /// The robot on a map.
 struct RobotArguments {
-  Footprint footprint;  // in the user's units; a disc for --robot-radius
-  UnknownPolicy unknown = UnknownPolicy::blocked;
-  std::optional<OutsidePolicy> outside;
-  std::optional<double> clearance_distance;  // in the user's units
-  std::optional<double> clearance_cost;
+  FieldFlags<FreeSpaceOptions> fields;
+  Footprint footprint;  // of --footprint, in the user's units
   bool cells = false;
   std::string primitives;  // file of motion primitives
 
@@ -54,11 +52,16 @@ struct RobotArguments {
   void add_primitives_to(Parser& app);
 
   Coordinates coordinates(const GridMap& map) const { return {map, cells}; }
+  /// The robot with lengths as they were typed, and without motion primitives.
+  FreeSpaceOptions as_typed() const;
   /// Throws InputError for a --clearance-cost that costs nothing, and for a file of motion primitives
   /// that cannot be read.
   FreeSpaceOptions options(const GridMap& map) const;
   /// Throws InputError for an invalid robot, too.
   FreeSpace free_space(const GridMap& map) const;
+
+ private:
+  void add_footprint_to(Parser& app, const Argument& radius);
 };
 
 struct MapArguments : MapFileArguments, RobotArguments {

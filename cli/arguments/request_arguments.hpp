@@ -1,13 +1,12 @@
 #pragma once
 
-// RequestArguments: the fields of a request as flags. Names, units, ranges, defaults and help are those of the list
-// (wend/session/request_fields.hpp), so that a new field has a flag.
+// RequestArguments: the fields of a request as flags.
 
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cli/arguments/coordinates.hpp"
+#include "cli/arguments/field_flags.hpp"
 #include "cli/arguments/parser.hpp"
 #include "wend/session/leeway.hpp"
 #include "wend/session/plan_request.hpp"
@@ -42,7 +41,7 @@ class RequestArguments {
  private:
   void add(Parser& app, const RequestField& field);
 
-  std::vector<std::pair<const RequestField*, double>> typed_;
+  FieldFlags<PlanRequest> flags_;
 };
 
 }  // namespace wend::cli

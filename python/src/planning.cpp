@@ -17,6 +17,7 @@
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/errors.hpp"
+#include "python/src/fields.hpp"
 #include "python/src/interrupts.hpp"
 #include "python/src/plan.hpp"
 #include "python/src/space.hpp"
@@ -39,16 +40,12 @@ class Settings {
       : planner_{std::move(planner)} {
     for (const auto& [name, text] : options_of(options)) {
       if (const RequestField* const field = request_field(name)) {
-        take(*field, name, value_or_throw(field->number_of(text)));
+        fields_.take(*field, name, value_or_throw(field->info.number_of(text)));
       } else {
         planner_.options.emplace_back(name, text);
       }
     }
-    for (const auto [name, value] : fields) {
-      const RequestField* const field = request_field(nb::cast<std::string_view>(name));
-      if (field == nullptr || value.is_none()) continue;
-      take(*field, nb::cast<std::string_view>(name), number_of(*field, value));
-    }
+    fields_.take(request_fields(), fields);
   }
 
   const PlannerSpec& planner() const { return planner_; }
@@ -56,29 +53,12 @@ class Settings {
   /// Puts all but the ends into a request that has its goals.
   void put(PlanRequest& request, const FreeSpace& space) const {
     request.planner = planner_;
-    for (const auto& [field, value] : values_) {
-      field->put(request, value, space.map().frame().resolution);
-    }
+    fields_.put(request, space.map().frame().resolution);
   }
 
  private:
-  static double number_of(const RequestField& field, nb::handle value) {
-    try {
-      if (field.info.kind == OptionKind::flag) return nb::cast<bool>(value) ? 1 : 0;
-      if (field.info.kind == OptionKind::number) return nb::cast<double>(value);
-      return static_cast<double>(nb::cast<std::int64_t>(value));
-    } catch (const nb::cast_error&) {
-      throw nb::type_error(field.info.name.c_str());
-    }
-  }
-
-  void take(const RequestField& field, std::string_view name, double value) {
-    if (auto fault = field.fault_of(value, name)) throw Failed(*std::move(fault));
-    values_.emplace_back(&field, value);
-  }
-
   PlannerSpec planner_;
-  std::vector<std::pair<const RequestField*, double>> values_;
+  FieldValues<PlanRequest> fields_;
 };
 
 MapGoal goal_of(nb::handle goal) {
@@ -260,21 +240,10 @@ std::unique_ptr<Solutions> solutions(const Space& space, nb::handle start, const
   return std::make_unique<Solutions>(space, std::move(view), std::move(request));
 }
 
-/// Name, other names, kind, unit, default and meaning of each field of a request.
-nb::list fields_of_requests() {
-  nb::list list;
-  for (const RequestField& field : request_fields()) {
-    list.append(nb::make_tuple(field.info.name, field.info.aliases,
-                               std::string(to_string(field.info.kind)), std::string(field.unit),
-                               field.default_value, field.info.help));
-  }
-  return list;
-}
-
 }  // namespace
 
 void bind_solutions(nb::module_& module) {
-  module.def("request_fields", &fields_of_requests);
+  module.def("request_fields", [] { return list_of(request_fields()); });
   nb::class_<Reason>(module, "Reason", "Why there is no path, not yet found out.")
       .def("text", &Reason::text);
   nb::class_<Solutions>(module, "Solutions", "The paths of an anytime planner, one by one.")

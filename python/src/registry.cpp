@@ -19,6 +19,7 @@
 #include "wend/control/controller.hpp"
 #include "wend/io/files.hpp"
 #include "wend/path/smoothing/smoother.hpp"
+#include "wend/path/trajectory.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -181,6 +182,7 @@ void bind_registry(nb::module_& module) {
   module.def("planners", &planners_list);
   module.def("smoothers", &smoothers_list);
   module.def("controllers", &controllers_list);
+  module.def("trajectory_limits", [] { return options_of(option_schema<TrajectoryLimits>()); });
 
   nb::class_<Index>(module, "Index", "What a planner with an index computed for a map and a robot.")
       .def_ro("planner", &Index::planner)

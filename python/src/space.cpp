@@ -19,8 +19,10 @@
 #include "python/src/bindings.hpp"
 #include "python/src/cells.hpp"
 #include "python/src/errors.hpp"
+#include "python/src/fields.hpp"
 #include "python/src/interrupts.hpp"
 #include "wend/geometry/direction.hpp"
+#include "wend/robot/robot_fields.hpp"
 #include "wend/session/eased_query.hpp"
 
 namespace nb = nanobind;
@@ -53,25 +55,12 @@ Enum choice_of(const std::string& text, const std::string& name) {
   return value;
 }
 
-/// UnknownPolicy or OutsidePolicy, by the name of its argument.
-template <class Policy>
-Policy policy_of(const std::string& text, const std::string& name) {
-  if (text == "blocked") return Policy::blocked;
-  if (text == "free") return Policy::free;
-  throw Failed(
-      option_text::option_error(name, option_text::unknown_choice(text, {"blocked", "free"})));
-}
-
-std::unique_ptr<Space> space_of(const GridMap& map, nb::handle footprint,
-                                const std::string& unknown,
-                                const std::optional<std::string>& outside,
-                                double clearance_distance, double clearance_cost,
+std::unique_ptr<Space> space_of(const GridMap& map, nb::handle footprint, const nb::dict& fields,
                                 std::size_t idle_planners) {
-  FreeSpaceOptions robot{.footprint = footprint_of(footprint),
-                         .unknown = policy_of<UnknownPolicy>(unknown, "unknown"),
-                         .clearance_distance = clearance_distance,
-                         .clearance_cost = clearance_cost};
-  if (outside) robot.outside = policy_of<OutsidePolicy>(*outside, "outside");
+  FreeSpaceOptions robot{.footprint = footprint_of(footprint)};
+  FieldValues<FreeSpaceOptions> values;
+  values.take(robot_fields(), fields);
+  values.put(robot, map.frame().resolution);
   auto session = std::make_unique<Session>(
       map, std::move(robot), SessionOptions{.idle_planners = idle_planners, .hints = hints()});
   Interrupts interrupts;
@@ -299,9 +288,9 @@ void bind_space(nb::module_& module) {
         const Session::View view = self.view();
         return std::tuple(view.version, view.space.map());
       });
+  module.def("robot_fields", [] { return list_of(robot_fields()); });
   module.def("make_space", &space_of, nb::arg("map"), nb::arg("footprint").none(),
-             nb::arg("unknown"), nb::arg("outside").none(), nb::arg("clearance_distance"),
-             nb::arg("clearance_cost"), nb::arg("idle_planners"));
+             nb::arg("fields"), nb::arg("idle_planners"));
 }
 
 }  // namespace wend::python

@@ -33,6 +33,33 @@ def test_arguments_are_fields_of_a_request(name: str) -> None:
             assert argument.default == default
 
 
+def test_arguments_of_free_space_are_the_fields_of_a_robot() -> None:
+    # The footprint has the radius: a number, or another shape.
+    arguments = inspect.signature(wend.Map.free_space).parameters
+    listed = {name: default for name, _, _, _, default, _ in _core.robot_fields() if name != "robot_radius"}
+    assert {name: arguments[name].default for name in listed} == listed
+    assert set(arguments) - set(listed) == {"self", "footprint", "warm"}
+    for name in listed:
+        assert f"`{name}`" in str(wend.Map.free_space.__doc__) or f":param {name}:" in str(wend.Map.free_space.__doc__)
+
+
+@pytest.mark.parametrize("name", ["clearance_distance", "clearance_cost"])
+def test_values_of_a_robot_out_of_range_name_the_argument(name: str) -> None:
+    with pytest.raises(wend.InvalidArgument, match=f"option '{name}': '-1' is not between 0 and") as caught:
+        SPACE.map.free_space(**wrong(name, -1))
+    assert caught.value.where == name
+
+
+def test_trajectories_take_every_listed_limit() -> None:
+    plan = SPACE.plan((0.25, 0.25), (3.75, 2.25))
+    for limit in _core.trajectory_limits():
+        name, default = limit["name"], float(limit["default"])
+        assert f"`{name}` (" in str(wend.Plan.trajectory.__doc__)
+        assert plan.trajectory(**wrong(name, default)).duration == plan.trajectory().duration
+        with pytest.raises(wend.InvalidArgument, match=f"option '{name}': '0' is not between"):
+            plan.trajectory(**wrong(name, 0))
+
+
 def test_docstrings_describe_the_arguments() -> None:
     for argument in set(inspect.signature(wend.FreeSpace.plan).parameters) - {"self", "options"}:
         assert f":param {argument}:" in str(wend.FreeSpace.plan.__doc__), argument

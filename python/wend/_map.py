@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Map"]
 
+_FIELDS = {name for name, *_ in _core.robot_fields()}  # of a robot and of what blocks it
+
 CostFunction = Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64]], npt.ArrayLike]
 Costs = Union[npt.ArrayLike, CostFunction]
 
@@ -312,12 +314,13 @@ class Map:
         >>> space.passable.tolist()
         [[True, True, True], [True, False, True]]
         """
+        fields = {name: value for name, value in locals().items() if name in _FIELDS}
         shape: Any = footprint
         if footprint is not None and not isinstance(footprint, (int, float, str)):
             shape = float(shape) if np.ndim(shape) == 0 else list(footprint)
         if isinstance(warm, int) and warm < 0:
             raise InvalidArgument("warm must be at least 0", "invalid_option", "warm")
-        core = _core.make_space(self._inner, shape, unknown, outside, clearance_distance, clearance_cost, warm)
+        core = _core.make_space(self._inner, shape, fields, warm)
         return Map._space_of(self, core)
 
     def plot(self, ax: Any = None) -> Any:

@@ -16,6 +16,7 @@
 #include "wend/path/path_metrics.hpp"
 #include "wend/planner/planner_options.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/robot_fields.hpp"
 #include "wend/robot/sweep/overlap.hpp"
 #include "wend/session/eased_query.hpp"
 #include "wend/session/request_fields.hpp"
@@ -268,6 +269,12 @@ TEST(Snippets, OfListsOfFieldsAndMetrics) {
   const auto set = escape->set(request, 0.5, map.frame().resolution);
   EXPECT_TRUE(set);
   EXPECT_EQ(request.escape, 0.5);
+  [] {
+    wend::FreeSpaceOptions robot;
+    const auto set = wend::robot_field("clearance_distance")->set(robot, 0.5);
+    EXPECT_TRUE(set);
+    EXPECT_EQ(robot.clearance_distance, 0.5);
+  }();
   const auto space = *wend::make_free_space(map);
   const wend::Path path(std::vector<wend::Cell>{{1, 1}, {1, 2}, {1, 3}});
   for (const wend::Metric& metric : wend::metrics_of(*wend::measure(path, space))) {

@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "wend/base/registry.hpp"
 #include "wend/c/objects.hpp"
 #include "wend/session/request_fields.hpp"
 
@@ -104,7 +105,7 @@ Done put_fields(const wend_request& given, double resolution, PlanRequest& asked
   const std::span<const RequestField> fields = request_fields();
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const double value = value_of(given, i);
-    const bool may_be_unset = members()[i] == nullptr || std::isnan(fields[i].default_value);
+    const bool may_be_unset = members()[i] == nullptr || std::isnan(fields[i].info.default_value);
     if (std::isnan(value) && may_be_unset) continue;
     const auto set = fields[i].set(asked, value, resolution);
     if (!set) return refused("wend_request: " + set.error().message);
@@ -145,8 +146,10 @@ Expected<PlannerSpec, Failure> planner_of(const wend_request& request) {
   return std::move(specs->front());
 }
 
-const RequestField* field_at(std::size_t index) {
-  return index < request_fields().size() ? &request_fields()[index] : nullptr;
+Error unknown_field(std::string_view name) {
+  std::vector<std::string> names;
+  for (const RequestField& field : request_fields()) names.emplace_back(field.info.name);
+  return {Status::invalid_option, unknown_name("field of a request", name, names), {}};
 }
 
 }  // namespace
@@ -184,9 +187,10 @@ wend_status wend_request_set(wend_request* request, const char* name, double val
       return wend::Unexpected<Failure>(sized.error());
     }
     const wend::RequestField* const field = wend::request_field(name);
-    if (field == nullptr) return failed(wend::unknown_request_field(name));
-    const bool unset = std::isnan(value) && std::isnan(field->default_value);
-    if (auto fault = field->fault_of(value); fault && !unset) return failed(*std::move(fault));
+    if (field == nullptr) return failed(unknown_field(name));
+    const wend::FieldInfo& info = field->info;
+    const bool unset = std::isnan(value) && std::isnan(info.default_value);
+    if (auto fault = info.fault_of(value); fault && !unset) return failed(*std::move(fault));
     assign(*request, static_cast<std::size_t>(field - wend::request_fields().data()), value);
     return {};
   });
@@ -195,11 +199,10 @@ wend_status wend_request_set(wend_request* request, const char* name, double val
 size_t wend_request_field_count() { return wend::request_fields().size(); }
 
 wend_status wend_request_field_at(size_t index, wend_field_info* info) {
-  const wend::RequestField* const field = field_at(index);
-  if (field == nullptr || info == nullptr) return WEND_INVALID_ARGUMENT;
-  *info = {field->info.name.c_str(), field->unit.data(),
-           field->info.help.c_str(), field->info.kind == wend::OptionKind::flag ? 1 : 0,
-           field->info.least,        field->info.greatest,
-           field->default_value};
+  if (index >= wend::request_fields().size() || info == nullptr) return WEND_INVALID_ARGUMENT;
+  const wend::FieldInfo& field = wend::request_fields()[index].info;
+  const std::int32_t is_flag = field.kind == wend::OptionKind::flag ? 1 : 0;
+  *info = {field.name.data(), field.unit.data(),  field.help.data(), is_flag, 0,
+           field.greatest,    field.default_value};
   return WEND_OK;
 }

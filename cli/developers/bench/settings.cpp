@@ -28,11 +28,10 @@ std::string_view corner_text(CornerRule rule) {
 }
 
 /// "radius 0.2", "footprint 0.4,0.25;0.4,-0.25;-0.3,0"
-std::string shape_text(const RobotArguments& robot) {
-  const Footprint& footprint = robot.footprint;
+std::string shape_text(const Footprint& footprint, bool in_cells) {
   return (footprint.outline() ? "footprint " + text_of(footprint)
                               : "radius " + format_number(footprint.circumscribed_radius())) +
-         (robot.cells ? " cells" : "");
+         (in_cells ? " cells" : "");
 }
 
 }  // namespace
@@ -62,19 +61,22 @@ void BenchSettings::check(const Parser& app) const {
 }
 
 bool BenchSettings::as_in_scenarios() const {
-  return robot.footprint.is_point() && robot.clearance_distance.value_or(0) == 0 &&
-         robot.unknown == UnknownPolicy::blocked && moves.moves == GridMoves{};
+  const FreeSpaceOptions chosen = robot.as_typed();
+  return chosen.footprint.is_point() && chosen.clearance_distance == 0 &&
+         chosen.unknown == UnknownPolicy::blocked && moves.moves == GridMoves{};
 }
 
 std::string BenchSettings::robot_text() const {
   const GridMoves& grid = moves.moves;
-  std::string text = robot.footprint.is_point() ? "a point" : shape_text(robot);
-  if (robot.unknown == UnknownPolicy::free) text += ", enters unknown cells";
-  if (robot.outside == OutsidePolicy::blocked) text += ", stays on the map";
-  if (robot.outside == OutsidePolicy::free) text += ", may hang over the map's edge";
-  if (const double distance = robot.clearance_distance.value_or(0); distance > 0) {
-    text += fmt::format(", keeps {} away (cost {})", distance,
-                        robot.clearance_cost.value_or(FreeSpaceOptions{}.clearance_cost));
+  const FreeSpaceOptions chosen = robot.as_typed();
+  const Footprint& shape = chosen.footprint;
+  std::string text = shape.is_point() ? "a point" : shape_text(shape, robot.cells);
+  if (chosen.unknown == UnknownPolicy::free) text += ", enters unknown cells";
+  if (chosen.outside == OutsidePolicy::blocked) text += ", stays on the map";
+  if (chosen.outside == OutsidePolicy::free) text += ", may hang over the map's edge";
+  if (chosen.clearance_distance > 0) {
+    text +=
+        fmt::format(", keeps {} away (cost {})", chosen.clearance_distance, chosen.clearance_cost);
   }
   if (grid.connectivity == Connectivity::four) return text + ", 4 neighbours";
   return fmt::format("{}, 8 neighbours, {}", text, corner_text(grid.corner_rule));

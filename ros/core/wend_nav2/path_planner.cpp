@@ -69,7 +69,7 @@ wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan(const PathRequest&
                    std::string(pose == &request.start ? "the start " : "the goal ") +
                        place_of(*pose) + " contains NaN or infinity");
   }
-  const double limit = settings_.plugin.time_limit;
+  const double limit = settings_.request["time_limit"];
   Watch watch{
       .cancelled = cancelled,
       .end = limit > 0 ? wend::steady_seconds() + limit : std::numeric_limits<double>::infinity()};
@@ -77,7 +77,7 @@ wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan(const PathRequest&
     return wend::Unexpected<Failure>(std::move(ready.error()));
   }
   auto exact = plan_within(request, 0, watch);
-  const double tolerance = settings_.plugin.tolerance;
+  const double tolerance = settings_.request["goal_tolerance"];
   if (exact || !may_end_nearby(exact.error().kind)) return exact;
   for (const double share : {0.25, 0.5, 1.0}) {
     if (tolerance == 0) break;
@@ -85,7 +85,7 @@ wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan(const PathRequest&
     // What was cancelled or ran out of time has not shown that there is no path.
     if (near || !may_end_nearby(near.error().kind)) return near;
   }
-  if (settings_.plugin.closest) return plan_within(request, 0, watch, true);
+  if (settings_.request["closest"] != 0) return plan_within(request, 0, watch, true);
   return exact;
 }
 
@@ -104,26 +104,21 @@ wend::Expected<void, Failure> PathPlanner::prepare(const RobotShape& robot) {
 
 wend::PlanRequest PathPlanner::request_of(const PathRequest& request, double tolerance,
                                           Watch& watch, bool closest) const {
-  const PluginOptions& plugin = settings_.plugin;
   wend::PlanRequest made{
       .start = request.start,
-      .goals = {{.point = request.goal.point(),
-                 .heading = request.goal.heading,
-                 .tolerance = tolerance,
-                 .heading_tolerance = plugin.heading_tolerance}},
+      .goals = {{.point = request.goal.point(), .heading = request.goal.heading}},
       .planner = {settings_.planner, settings_.options},
-      .limits = {.clock = [&watch] { return watch.read(); }, .cancel = &watch.stop},
-      .nearest = plugin.nearest,
-      .nearest_limit = plugin.nearest_limit,
-      .escape = plugin.escape,
-      .closest = closest,
-      // The failure of the query itself is what is reported. An explanation takes time.
-      .explain = plugin.explain && tolerance == 0};
-  made.keep = plugin.keep;
+      .limits = {.clock = [&watch] { return watch.read(); }, .cancel = &watch.stop}};
+  settings_.request.put(made, 1);
+  made.goals.front().tolerance = tolerance;
+  made.closest = closest;
+  // The failure of the query itself is what is reported. An explanation takes time.
+  made.explain = made.explain && tolerance == 0;
   made.limits.seconds = watch.end - wend::steady_seconds();
+  made.refinement.spacing.reset();  // poses_of() does it
   // Lines of any angle are taut: smoothing would cut their corners, where they touch obstacles.
   const wend::Capabilities& capabilities = capabilities_of(settings_.planner);
-  if (plugin.smooth && !capabilities.headings && !capabilities.any_angle) {
+  if (settings_.plugin.smooth && !capabilities.headings && !capabilities.any_angle) {
     made.refinement.smoother = wend::SmootherChoice{};
   }
   return made;
@@ -151,7 +146,7 @@ wend::Expected<PathPlanner::Poses, Failure> PathPlanner::plan_within(const PathR
 PathPlanner::Poses PathPlanner::poses_of(const wend::PlanAnswer& answer,
                                          const PathRequest& request) const {
   const wend::Frame& frame = answer.space.map().frame();
-  const double asked = settings_.plugin.spacing;
+  const double asked = settings_.request["spacing"];
   const double spacing = asked > 0 ? asked : frame.resolution;
   const wend::Path& path = answer.path();
   if (path.driven()) return poses_along(path, frame, spacing);

@@ -34,13 +34,15 @@ std::optional<wend::Error> refusal_of(const wend::PlannerInfo& planner,
 
 PlannerSchema planner_schema(std::string_view planner) {
   const wend::PlannerInfo* info = wend::planners().find(planner);
+  std::vector<wend::OptionInfo> plugin = wend::option_schema<PluginOptions>();
+  for (wend::OptionInfo& parameter : request_parameters()) plugin.push_back(std::move(parameter));
   return {.name = {.name = std::string(kPlannerParameter),
                    .aliases = {},
                    .kind = wend::OptionKind::choice,
                    .default_value = std::string(kDefaultPlanner),
                    .choices = wend::planners().names(),
                    .help = "name of the planner"},
-          .plugin = wend::option_schema<PluginOptions>(),
+          .plugin = std::move(plugin),
           .planner = info == nullptr ? std::vector<wend::OptionInfo>() : info->options};
 }
 
@@ -57,7 +59,9 @@ wend::Expected<PlannerSettings, wend::Error> settings_from(std::string_view plan
   for (const auto& [name, value] : values) {
     const wend::OptionInfo* own = find(schema.planner, name);
     if (own == nullptr) {
-      of_plugin.emplace_back(name, value);
+      const auto set = settings.request.set(name, value);
+      if (!set) return wend::Unexpected<wend::Error>(set.error());
+      if (!*set) of_plugin.emplace_back(name, value);
       continue;
     }
     if (const std::string fault = wend::option_text::fault_of(*own, value); !fault.empty()) {

@@ -18,6 +18,7 @@
 #include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
 #include "wend/robot/motion_primitives.hpp"
+#include "wend_nav2/request_settings.hpp"
 
 namespace wend_nav2 {
 
@@ -34,23 +35,13 @@ constexpr std::array<wend::Choice<ObstacleRule>, 3> choice_names(ObstacleRule) {
            {"footprint", ObstacleRule::footprint}}};
 }
 
-/// What concerns all planners.
+/// What concerns all planners, besides the request.
 struct PluginOptions {
   ObstacleRule obstacles = ObstacleRule::automatic;
   bool allow_unknown = true;
   double cost_factor = 4;
-  double time_limit = 5;
-  double tolerance = 0.5;
-  double heading_tolerance = 0;
-  bool nearest = false;
-  double nearest_limit = 0.5;
-  double escape = 0.25;
-  bool closest = false;
   bool smooth = true;
   bool replan = false;
-  double keep = 0;
-  bool explain = true;
-  double spacing = 0;
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -61,36 +52,9 @@ struct PluginOptions {
     field({"allow_unknown", "whether the robot may drive into unknown cells"}, self.allow_unknown);
     field({"cost_factor", "what the cost 252 of a cell adds to a price of 1 for a metre"},
           self.cost_factor, {0, 1e4});
-    field({"time_limit", "limit on the search time, s; 0: none"}, self.time_limit, {0, 3600});
-    field({"tolerance", "how far from a goal that cannot be reached a path may end, m"},
-          self.tolerance, {0, 100});
-    field({"heading_tolerance", "how far from the goal's heading a path may end, rad"},
-          self.heading_tolerance, {0, 3.2});
-    field({"nearest", "move a blocked start or goal to the nearest place that is free"},
-          self.nearest);
-    field({"nearest_limit", "how far nearest moves a start or goal at most, m"}, self.nearest_limit,
-          {0, 100});
-    field(
-        {"escape",
-         "if the robot does not fit at the start: the longest way out that a path may begin with, "
-         "m; 0: none"},
-        self.escape, {0, 10});
-    field({"closest",
-           "if no path reaches the goal within the tolerance: plan to the reachable place nearest "
-           "to it"},
-          self.closest);
     field({"smooth", "smooth the paths of planners on cells"}, self.smooth);
     field({"replan", "keep what a search found for the next call, and repair it after changes"},
           self.replan);
-    field({"keep",
-           "with replan: the share by which another path must be cheaper than what is left of the "
-           "last one to be taken"},
-          self.keep, {0, 100});
-    field({"explain",
-           "log a detailed reason when there is no path; this may take longer than the search"},
-          self.explain);
-    field({"spacing", "distance of the poses of a path, m; 0: that of the costmap's cells"},
-          self.spacing, {0, 10});
   }
 
   friend bool operator==(const PluginOptions&, const PluginOptions&) = default;
@@ -104,7 +68,7 @@ inline constexpr std::string_view kDefaultPlanner = "astar";
 /// The parameters of the plugin for one planner.
 struct PlannerSchema {
   wend::OptionInfo name = {};                  // which planner, one of all
-  std::vector<wend::OptionInfo> plugin = {};   // PluginOptions
+  std::vector<wend::OptionInfo> plugin = {};   // PluginOptions and request_parameters()
   std::vector<wend::OptionInfo> planner = {};  // the planner's own; empty if it is unknown
 };
 
@@ -113,6 +77,7 @@ PlannerSchema planner_schema(std::string_view planner);
 struct PlannerSettings {
   std::string planner{kDefaultPlanner};
   PluginOptions plugin = {};
+  RequestSettings request = {};
   wend::OptionValues options = {};  // the planner's own that are not at their defaults
   std::optional<wend::MotionPrimitives> primitives = {};  // for `lattice`
 

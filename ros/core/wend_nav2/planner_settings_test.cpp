@@ -3,9 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
+#include <string_view>
 
 #include "wend/planner/planners.hpp"
+#include "wend/robot/robot_fields.hpp"
 
 namespace wend_nav2 {
 namespace {
@@ -43,8 +49,66 @@ TEST(PlannerSettings, TakesOptionsOfThePluginAndOfThePlanner) {
   ASSERT_TRUE(settings) << settings.error().message;
   EXPECT_EQ(settings->options, (wend::OptionValues{{"weight", "1.5"}}));
   EXPECT_EQ(settings->plugin.obstacles, ObstacleRule::footprint);
-  EXPECT_EQ(settings->plugin.time_limit, 0.25);
+  EXPECT_EQ(settings->request["time_limit"], 0.25);
   EXPECT_FALSE(settings->plugin.allow_unknown);
+}
+
+TEST(PlannerSettings, HaveAParameterForEveryFieldOfARequest) {
+  const std::vector<wend::OptionInfo> parameters = request_parameters();
+  std::set<std::string_view> without;
+  for (const wend::RequestField& field : wend::request_fields()) {
+    const bool there = std::ranges::any_of(parameters, [&](const wend::OptionInfo& parameter) {
+      return field.info.is_called(parameter.name);
+    });
+    if (!there) without.insert(field.info.name);
+  }
+  EXPECT_EQ(without, (std::set<std::string_view>{"expansions", "from_field", "straighten"}));
+}
+
+std::string page(const std::string& name) {
+  std::ifstream file(std::string(WEND_SOURCE_DIR) + "/docs/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(PlannerSettings, AreOnThePagesWithTheirDefaults) {
+  const std::string ros2 = page("ros2.md");
+  for (const wend::OptionInfo& parameter : planner_schema("").plugin) {
+    const std::string row = "| `" + parameter.name + "` | ";
+    const bool word = parameter.kind == wend::OptionKind::choice;
+    const std::string quote = word ? "`" : "";
+    EXPECT_NE(ros2.find(row + quote + parameter.default_value + quote + " | "), std::string::npos)
+        << row << parameter.default_value;
+  }
+  const std::string ros = page("ros.md");
+  std::set<std::string_view> without;
+  const auto look_for = [&](const wend::FieldInfo& field) {
+    const bool there = ros.find("`" + std::string(field.name) + "`") != std::string::npos;
+    if (!there) without.insert(field.name);
+  };
+  for (const wend::RequestField& field : wend::request_fields()) look_for(field.info);
+  for (const wend::RobotField& field : wend::robot_fields()) look_for(field.info);
+  // Messages have these, and `unknown_free` is `unknown`.
+  EXPECT_EQ(without, (std::set<std::string_view>{"expansions", "explain", "spacing", "straighten",
+                                                 "unknown"}));
+}
+
+TEST(PlannerSettings, PutTheirValuesIntoTheRequest) {
+  const auto settings = settings_from("astar", {{"tolerance", "0.3"},
+                                                {"heading_tolerance", "0.2"},
+                                                {"nearest", "true"},
+                                                {"escape", "0"},
+                                                {"keep", "0.1"},
+                                                {"explain", "false"}});
+  ASSERT_TRUE(settings) << settings.error().message;
+  wend::PlanRequest request{{}, {{{1, 2}}}};
+  settings->request.put(request, 0.05);
+  EXPECT_EQ(request.goals.front().tolerance, 0.3);
+  EXPECT_EQ(request.goals.front().heading_tolerance, 0.2);
+  EXPECT_TRUE(request.nearest);
+  EXPECT_EQ(request.nearest_limit, 0.5);
+  EXPECT_EQ(request.escape, 0);
+  EXPECT_EQ(request.keep, 0.1);
+  EXPECT_FALSE(request.explain);
 }
 
 TEST(PlannerSettings, SaysWhatIsWrong) {

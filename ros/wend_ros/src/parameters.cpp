@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "wend/base/parse.hpp"
@@ -13,6 +14,7 @@
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/footprint.hpp"
+#include "wend_nav2/field_parameter.hpp"
 
 namespace wend_ros {
 namespace {
@@ -20,19 +22,9 @@ namespace {
 using wend::OptionInfo;
 using wend::OptionKind;
 
-/// wend::OutsidePolicy, by name.
-enum class Outside { blocked, free };
-
-constexpr std::array<wend::Choice<Outside>, 2> choice_names(Outside) {
-  return {{{"blocked", Outside::blocked}, {"free", Outside::free}}};
-}
-
-/// What concerns all planners.
+/// What concerns all planners, besides the fields of robots and requests.
 struct NodeOptions {
-  double robot_radius = 0;
   bool unknown_free = false;
-  Outside outside = Outside::blocked;
-  double clearance_distance = 0;
   bool rough = false;
   double cost_factor = 4;
   double time_limit = 0;
@@ -43,15 +35,7 @@ struct NodeOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"robot_radius", "the robot is a disc of this radius, m"}, self.robot_radius, {0, 100});
     field({"unknown_free", "the robot may drive on unknown cells"}, self.unknown_free);
-    field({"outside",
-           "what is outside the map: with free the robot's disc may extend beyond the map's edge"},
-          self.outside);
-    field({.name = "clearance_distance",
-           .help = "cells nearer to obstacles than this cost more, m; 0: off",
-           .former = "keep_away"},
-          self.clearance_distance, {0, 100});
     field({"rough", "map values below the obstacles' threshold are rough ground"}, self.rough);
     field({"cost_factor", "what the greatest value of rough ground adds to a cost of 1"},
           self.cost_factor, {0, 1e6});
@@ -69,23 +53,33 @@ struct NodeOptions {
   }
 };
 
-/// Fields of a request that messages have, or that mean something else here.
-constexpr std::array<std::string_view, 6> kNoParameters{"time_limit", "expansions", "explain",
-                                                        "from_field", "straighten", "spacing"};
+/// Fields that messages have, or that mean something else here: `unknown_free` says what `unknown` does.
+constexpr std::array<std::string_view, 7> kNoParameters{
+    "unknown", "time_limit", "expansions", "explain", "from_field", "straighten", "spacing"};
 
-/// Where a robot that drives needs another default: as the tolerance of planners of Nav2, and a robot that has slipped.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kDefaults{
-    {{"nearest_limit", "0.5"}, {"escape", "0.25"}}};
+/// Where a robot that drives needs another default: as the tolerance of planners of Nav2, a robot that has slipped, and a
+/// map that shows a part of the world.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kDefaults{
+    {{"nearest_limit", "0.5"}, {"escape", "0.25"}, {"outside", "blocked"}}};
 
-OptionInfo option_of(const wend::RequestField& field) {
-  constexpr double kLargest = 1e3;  // of what people set with a slider
-  OptionInfo option = field.info;
-  option.greatest = std::min(option.greatest, kLargest);
-  if (!field.unit.empty()) option.help += ", " + std::string(field.unit);
+OptionInfo option_of(const wend::FieldInfo& field) {
+  constexpr double kLargest = 1e3;
+  OptionInfo option = wend_nav2::parameter_of(field, kLargest);
   for (const auto& [name, value] : kDefaults) {
     if (option.name == name) option.default_value = value;
   }
   return option;
+}
+
+template <class Target>
+std::vector<const wend::Field<Target>*> parameters_among(
+    std::span<const wend::Field<Target>> fields) {
+  std::vector<const wend::Field<Target>*> found;
+  for (const wend::Field<Target>& field : fields) {
+    const bool elsewhere = std::ranges::find(kNoParameters, field.info.name) != kNoParameters.end();
+    if (!elsewhere) found.push_back(&field);
+  }
+  return found;
 }
 
 OptionInfo planner_option() {
@@ -153,8 +147,9 @@ void merge(std::vector<OptionInfo>& schema, const OptionInfo& option) {
 std::vector<OptionInfo> full_schema() {
   std::vector<OptionInfo> schema{planner_option()};
   for (const TextParameter& parameter : kTexts) schema.push_back(option_of(parameter));
+  for (const auto* field : robot_parameters()) schema.push_back(option_of(field->info));
   for (const OptionInfo& option : wend::option_schema<NodeOptions>()) schema.push_back(option);
-  for (const wend::RequestField* field : request_parameters()) schema.push_back(option_of(*field));
+  for (const auto* field : request_parameters()) schema.push_back(option_of(field->info));
   for (const OptionInfo& option : wend::option_schema<wend::TrajectoryLimits>()) {
     schema.push_back(option);
   }
@@ -222,13 +217,11 @@ Message entry(const std::string& name, Value value) {
 }  // namespace
 
 std::vector<const wend::RequestField*> request_parameters() {
-  std::vector<const wend::RequestField*> fields;
-  for (const wend::RequestField& field : wend::request_fields()) {
-    if (std::ranges::find(kNoParameters, field.info.name) == kNoParameters.end()) {
-      fields.push_back(&field);
-    }
-  }
-  return fields;
+  return parameters_among(wend::request_fields());
+}
+
+std::vector<const wend::RobotField*> robot_parameters() {
+  return parameters_among(wend::robot_fields());
 }
 
 Parameters::Parameters() : schema_(full_schema()) {

@@ -56,7 +56,7 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
     if (!ask.any_heading) added.heading = goal.heading;
   }
   for (const wend::RequestField* field : request_parameters()) {
-    const auto value = field->number_of(parameters.text(field->info.name));
+    const auto value = field->info.number_of(parameters.text(field->info.name));
     if (value) field->put(request, *value, resolution);
   }
   request.planner = std::move(planner);
@@ -194,13 +194,15 @@ void put_nearest(PlanResult& result, const wend::Session& session, const wend::G
 }  // namespace
 
 wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
-  return {.footprint = parameters.footprint(),
-          .unknown = parameters.flag("unknown_free") ? wend::UnknownPolicy::free
-                                                     : wend::UnknownPolicy::blocked,
-          .outside = parameters.text("outside") == "free" ? wend::OutsidePolicy::free
-                                                          : wend::OutsidePolicy::blocked,
-          .clearance_distance = parameters.number("clearance_distance"),
-          .primitives = parameters.primitives()};
+  wend::FreeSpaceOptions robot;
+  for (const wend::RobotField* field : robot_parameters()) {
+    const auto value = field->info.number_of(parameters.text(field->info.name));
+    if (value) field->put(robot, *value, 1);
+  }
+  robot.footprint = parameters.footprint();
+  if (parameters.flag("unknown_free")) robot.unknown = wend::UnknownPolicy::free;
+  robot.primitives = parameters.primitives();
+  return robot;
 }
 
 wend::SessionOptions session_options() {

@@ -344,9 +344,21 @@ TEST(Parameters, AreDescribedFromTheSchema) {
       EXPECT_TRUE(names.contains(option.name)) << option.name;
     }
   }
-  for (const char* name : {"planner", "robot_radius", "smooth_alpha", "smooth_beta"}) {
+  for (const char* name : {"planner", "smooth_alpha", "smooth_beta"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
+  std::set<std::string> not_there;
+  const auto look_for = [&](const wend::FieldInfo& field) {
+    if (!names.contains(std::string(field.name))) not_there.emplace(field.name);
+  };
+  for (const wend::RequestField& field : wend::request_fields()) look_for(field.info);
+  for (const wend::RobotField& field : wend::robot_fields()) look_for(field.info);
+  for (const wend::OptionInfo& limit : wend::option_schema<wend::TrajectoryLimits>()) {
+    EXPECT_TRUE(names.contains(limit.name)) << limit.name;
+  }
+  // Messages have these, or they mean something else here. A new field is a parameter.
+  EXPECT_EQ(not_there, (std::set<std::string>{"expansions", "explain", "from_field", "spacing",
+                                              "straighten", "unknown"}));
   EXPECT_EQ(parameters.config().bools.size() + parameters.config().ints.size() +
                 parameters.config().doubles.size() + parameters.config().strs.size(),
             names.size());

@@ -12,6 +12,7 @@
 //                   robot_radius; its base point may lie outside
 //   primitives      file of the robot's motion primitives, for the planner lattice
 //   unknown_free    drive into unknown       clearance_distance      metres
+//   clearance_cost  what cells near obstacles cost more
 //   outside         blocked or free: may the robot's disc hang over the map's edge?
 //   time_limit      s, 0: none               rough          values below the threshold cost more
 //   cost_factor     how much more
@@ -32,6 +33,7 @@
 #include "wend/base/options.hpp"
 #include "wend/robot/footprint.hpp"
 #include "wend/robot/motion_primitives.hpp"
+#include "wend/robot/robot_fields.hpp"
 #include "wend/session/request_fields.hpp"
 #include "wend_ros/replanning.hpp"
 
@@ -39,6 +41,9 @@ namespace wend_ros {
 
 /// The fields of a request that are parameters of the same names.
 std::vector<const wend::RequestField*> request_parameters();
+
+/// The same of a robot and of what blocks it.
+std::vector<const wend::RobotField*> robot_parameters();
 
 class Parameters {
  public:
