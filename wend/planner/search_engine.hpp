@@ -56,11 +56,11 @@ class SearchEngine {
   /// The path of a search that has found a goal, into memory that is kept.
   virtual void write_path(Path& path) const = 0;
 
-  /// Lets go of the FreeSpace, so that an edit need not copy it, and keeps its memory for follow(). False: it can not, and
+  /// Lets go of the FreeSpace, so that an edit need not copy it, and keeps its memory for adopt(). False: it can not, and
   /// must go.
   virtual bool release() { return false; }
   /// After release(): takes the FreeSpace as it is after an edit.
-  virtual void follow(const FreeSpace& /*space*/) {}
+  virtual void adopt(const FreeSpace& /*space*/) {}
 
   /// What an anytime search has proven: the path costs at most this times the least cost. Unset for engines
   /// whose parts say it.
@@ -196,7 +196,7 @@ class SearchEngineOf final : public Engine {
     if constexpr (kFollowsEdits) search_.space().release();
     return kFollowsEdits;
   }
-  void follow(const FreeSpace& space) override {
+  void adopt(const FreeSpace& space) override {
     if constexpr (kFollowsEdits) search_.space().update(space);
   }
 

@@ -65,9 +65,9 @@ class WideningEngine final : public Engine {
     space_.reset();
     return true;
   }
-  void follow(const FreeSpace& space) override {
+  void adopt(const FreeSpace& space) override {
     space_ = space;
-    engine_->follow(space);
+    engine_->adopt(space);
   }
 
  private:

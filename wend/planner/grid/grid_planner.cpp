@@ -162,7 +162,7 @@ std::optional<Error> GridPlanner::do_update(const SpaceChange& change) {
     take(repaired_parts_(free_space(), change));
   } else if (engine_ != nullptr && !change.everything &&
              uniform_ == free_space().uniform_terrain()) {
-    engine_->follow(free_space());
+    engine_->adopt(free_space());
   } else {
     engine_.reset();
     repaired_parts_ = {};  // its memory first
