@@ -62,7 +62,7 @@ class ForwardSearch {
     requires(!kInRounds)
       : space_(std::move(space)), priority_(std::move(priority)), nodes_(space_.state_count()) {}
   ForwardSearch(Space space, Priority priority, AnytimeWeights weights)
-    requires(kInRounds)
+    requires kInRounds
       : space_(std::move(space)),
         priority_(std::move(priority)),
         nodes_(space_.state_count()),
@@ -111,7 +111,7 @@ class ForwardSearch {
   const State& goal() const { return goal_; }
   /// In rounds: the path costs at most this times the least.
   double bound() const
-    requires(kInRounds)
+    requires kInRounds
   {
     return rounds_.bound();
   }
