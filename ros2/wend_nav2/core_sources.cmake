@@ -11,6 +11,7 @@ set(wend_nav2_core_sources
     ../../ros/core/wend_nav2/path_smoother.cpp
     ../../ros/core/wend_nav2/planner_settings.cpp
     ../../ros/core/wend_nav2/pose_faults.cpp
+    ../../ros/core/wend_nav2/request_settings.cpp
     ../../ros/core/wend_nav2/robot_shape.cpp
     ../../ros/core/wend_nav2/safe_velocity.cpp
     ../../ros/core/wend_nav2/way_ahead.cpp)
