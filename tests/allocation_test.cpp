@@ -172,12 +172,16 @@ TEST_P(Allocation, OfAWarmQueryInStepsIsNone) {
   const auto planner = make(space);
   const Query query = Query::between({3, 60}, {50, 2});
   Plan plan;
-  planner->plan(query, plan);
+  const auto in_steps = [&] {
+    auto outcome = planner->begin(query, plan);
+    while (!outcome) outcome = planner->step(plan);
+    return *outcome;
+  };
+  in_steps();
   const std::size_t before = allocations;
-  auto outcome = planner->begin(query, plan);
-  while (!outcome) outcome = planner->step(plan);
+  const Status outcome = in_steps();
   EXPECT_EQ(allocations - before, 0U);
-  EXPECT_EQ(*outcome, Status::found);
+  EXPECT_EQ(outcome, Status::found);
 }
 
 class IdleObserver final : public SearchObserver {
