@@ -33,6 +33,8 @@ include(GNUInstallDirs)
 wend_add_pkg_config_test(pkg_config "${prefix}" installed)
 if(BUILD_SHARED_LIBS)
   wend_add_pkg_config_test(static_pkg_config "${static_prefix}" static_installed)
+  # What they need compiles the library a second time.
+  set_tests_properties(consumer.static_pkg_config consumer.static_pkg_config_build PROPERTIES LABELS long)
 endif()
 
 if(NOT TARGET wend_cli)
