@@ -44,8 +44,9 @@ class SearchEngine {
   /// About how many nanoseconds the search has taken so far, from what it has counted.
   virtual std::uint64_t time_taken() const { return 32 * metrics().expanded; }
 
-  /// Does what it finds depend on what it was asked before? Then it is only asked for what there is.
-  virtual bool resumes() const { return false; }
+  /// Is it only asked for paths that there are? Of an engine that does not end without one, or keeps what it searched for
+  /// the next query.
+  virtual bool expects_a_path() const { return false; }
 
   /// At most `most` states that would be expanded next, and the number of open states.
   virtual OpenList open_list(std::size_t most) const = 0;

@@ -83,7 +83,7 @@ std::optional<Error> GridPlanner::fault(std::string_view name) const {
 
 std::optional<Status> GridPlanner::do_check(const Query& query) {
   if (engine_ == nullptr) return Status::unsupported_map;
-  may_be_unreachable_ = query.observer == nullptr && !engine_->resumes() &&
+  may_be_unreachable_ = query.observer == nullptr && !engine_->expects_a_path() &&
                         !free_space().knows_components() && cells_.assign_ends(free_space(), query);
   if (may_be_unreachable_) return std::nullopt;
   return cells_.assign(free_space(), moves_.adjacency(), query);

@@ -46,6 +46,7 @@ class RandomWalk final : public GridEngine {
         memory_(space.map().size(),
                 static_cast<std::uint32_t>(std::sqrt(static_cast<double>(options.max_steps)))) {}
 
+  bool expects_a_path() const override { return true; }
   bool allocated() const override { return memory_.allocated(); }
 
   void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,

@@ -30,7 +30,7 @@ class DStarLite final : public IntegerSearch {
         nodes_(grid().state_count()) {}
 
   bool allocated() const override { return nodes_.allocated(); }
-  bool resumes() const override { return true; }
+  bool expects_a_path() const override { return true; }
 
   void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
              SearchObserver* observer) override {

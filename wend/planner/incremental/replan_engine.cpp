@@ -21,7 +21,7 @@ class ReplanEngine final : public GridEngine {
         leaps_(make_leap_engine<Word>(grid_, parts)) {}
 
   bool allocated() const override { return leaps_->allocated(); }
-  bool resumes() const override { return true; }
+  bool expects_a_path() const override { return true; }
 
   void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
              SearchObserver* observer) override {
