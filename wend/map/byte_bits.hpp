@@ -1,11 +1,7 @@
 #pragma once
 
 // Bits of bytes: which bytes of a row answer a question, 64 at a time, as letters and greys of a file become a row of a
-// BitGrid.
-//
-//   for_each_block(letters, '.', [&](std::size_t x, const unsigned char* block) {
-//     set_block(words, x, bits_of(block, [](Bytes letters) { return letters == '@'; }));
-//   });
+// BitGrid: bits_of() for each block of for_each_block(), then set_block().
 
 #include <array>
 #include <bit>
