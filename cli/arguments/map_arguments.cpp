@@ -142,8 +142,9 @@ void RobotArguments::add_primitives_to(Parser& app) {
 }
 
 FreeSpaceOptions RobotArguments::as_typed() const {
-  FreeSpaceOptions robot{.footprint = footprint};
+  FreeSpaceOptions robot;
   fields.put(robot);
+  if (footprint) robot.footprint = *footprint;
   return robot;
 }
 
@@ -152,8 +153,9 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
     throw InputError("--clearance-cost changes nothing without --clearance-distance");
   }
   const Coordinates units = coordinates(map);
-  FreeSpaceOptions robot{.footprint = footprint.scaled(units.in_metres(1))};
+  FreeSpaceOptions robot;
   fields.put(robot, units);
+  if (footprint) robot.footprint = footprint->scaled(units.in_metres(1));
   if (!primitives.empty()) robot.primitives = value_or_throw(load_primitives(primitives));
   return robot;
 }

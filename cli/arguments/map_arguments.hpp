@@ -39,7 +39,7 @@ struct MapFileArguments {
 /// The robot on a map.
 struct RobotArguments {
   FieldFlags<FreeSpaceOptions> fields;
-  Footprint footprint;  // of --footprint, in the user's units
+  std::optional<Footprint> footprint;  // instead of that of the fields, in the user's units
   bool cells = false;
   std::string primitives;  // file of motion primitives
 

@@ -110,9 +110,10 @@ FreeSpaceOptions planning_robot(const FollowArguments& arguments, const GridMap&
   const double per_unit = larger.coordinates(map).in_metres(1);
   const double margin = arguments.margin.value_or(kMargin / per_unit);
   const bool headings = info_of(planner_of(arguments)).capabilities.headings;
+  const Footprint shape = larger.as_typed().footprint;
   larger.footprint = headings && arguments.path.empty()
-                         ? larger.footprint.grown(margin)
-                         : Footprint::disc(larger.footprint.circumscribed_radius() + margin);
+                         ? shape.grown(margin)
+                         : Footprint::disc(shape.circumscribed_radius() + margin);
   return larger.options(map);
 }
 

@@ -38,6 +38,22 @@ class FollowCommand : public testing::Test {
   std::string map_ = folder_.write("grid.txt", kCorridorGrid);
 };
 
+TEST_F(FollowCommand, PlansForARobotThatIsLargerByTheMargin) {
+  std::string wall;
+  for (int y = 0; y < 12; ++y) wall += std::string(12, '.') + (y < 7 ? '#' : '.') + "...........\n";
+  const std::string map = folder_.write("wall.txt", wall);
+  const auto path = [&map](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--start", "2,2", "--goal", "21,2", "--planner", "astar"});
+    arguments.insert(arguments.end(), {"--format", "json"});
+    arguments.insert(arguments.begin() + 1, map);
+    return json::parse(wend(arguments).out).at("path");
+  };
+  const json planned = path({"plan", "--robot-radius", "3"});
+  EXPECT_EQ(path({"follow", "--robot-radius", "2", "--margin", "1"}), planned);
+  EXPECT_EQ(path({"follow", "--footprint", "disc:2", "--margin", "1"}), planned);
+  EXPECT_NE(path({"follow", "--robot-radius", "1", "--margin", "1"}), planned);
+}
+
 TEST_F(FollowCommand, DrivesAlongAPlannedAndSmoothedPath) {
   const Outcome outcome = follow({"--smooth"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;

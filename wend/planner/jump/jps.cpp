@@ -43,7 +43,7 @@ PlannerInfo jps_planner() {
       .memory =
           "1 bit per cell where it has searched, 44 bytes per jump point reached, 8 per frontier "
           "entry; on a prepared map 8 bytes per cell, 57 per jump point, 16 per shortcut used so "
-          "far, 16 per jump point expanded so far; on large maps of noise as astar",
+          "far, 16 per jump point expanded so far; as astar on large maps of noise",
       .bytes_per_cell = 8,
       .when =
           "The fastest planner without an index on maps with rooms, streets or corridors. On "
