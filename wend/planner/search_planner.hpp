@@ -30,7 +30,7 @@ class SearchPlanner : public Planner {
                  "no memory for the " + std::to_string(state_count()) + " poses of " + whose};
   }
 
-  /// The same as do_plan() for a search that has begun.
+  /// Goes on with a search that has begun, to its end.
   Status run_on(SearchOutcome outcome, const Limits& limits, Plan& out) {
     while (outcome == SearchOutcome::running || outcome == SearchOutcome::improved) {
       if (outcome == SearchOutcome::improved) {
@@ -42,24 +42,29 @@ class SearchPlanner : public Planner {
     return finish(outcome, out);
   }
 
-  Status do_plan(const Query& query, Plan& out) override {
+  Status plan_by_search(const Query& query, Plan& out) {
     begin_search(query.limits, query.observer);
     return run_on(SearchOutcome::running, query.limits, out);
   }
 
-  std::optional<Status> do_begin(const Query& query, Plan& out) override {
+  std::optional<Status> begin_by_search(const Query& query, Plan& out) {
     limits_ = query.limits;
     begin_search(limits_, query.observer);
     out.metrics = engine_->metrics();
     return std::nullopt;
   }
 
-  /// Begins the search of the query that was checked last. Both live as long as the search.
-  virtual void begin_search(const Limits& limits, SearchObserver* observer) = 0;
-
   std::shared_ptr<Engine> engine_;
 
  private:
+  /// Begins the search of the query that was checked last. Both live as long as the search.
+  virtual void begin_search(const Limits& limits, SearchObserver* observer) = 0;
+
+  Status do_plan(const Query& query, Plan& out) override { return plan_by_search(query, out); }
+  std::optional<Status> do_begin(const Query& query, Plan& out) override {
+    return begin_by_search(query, out);
+  }
+
   /// Cost, bound and whatever else there is to say of the path in `out`.
   virtual void assess(Plan& out) = 0;
 

@@ -74,7 +74,7 @@ class WideningEngine final : public Engine {
   void go_wide() {
     if (wide_) return;
     engine_.reset();  // its memory first
-    engine_ = make_wide_ ? make_wide_() : make_wide_on_(*space_);
+    engine_ = space_ ? make_wide_on_(*space_) : make_wide_();
     wide_ = true;
   }
 

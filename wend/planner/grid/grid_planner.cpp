@@ -92,7 +92,7 @@ std::optional<Status> GridPlanner::do_check(const Query& query) {
 /// A first query often finds its path before the components would be known: it asks for them only once its search has
 /// taken about as long as that. So a query without a path takes at most about twice as long as if it had asked at once.
 Status GridPlanner::do_plan(const Query& query, Plan& out) {
-  if (!may_be_unreachable_) return SearchPlanner::do_plan(query, out);
+  if (!may_be_unreachable_) return plan_by_search(query, out);
   const Deadline deadline = deadline_of(query.limits);
   begin_search(query.limits, nullptr);
   SearchOutcome outcome = SearchOutcome::running;
@@ -112,7 +112,7 @@ std::optional<Status> GridPlanner::do_begin(const Query& query, Plan& out) {
   if (may_be_unreachable_) {
     if (const auto status = unless_connected(deadline_of(query.limits))) return status;
   }
-  return SearchPlanner::do_begin(query, out);
+  return begin_by_search(query, out);
 }
 
 /// Why no path can lead to the goal, or why that is not known.

@@ -45,7 +45,7 @@ DirectionSet GridSpace<Steps>::without_unsafe(Cell cell, DirectionSet moves) con
   for (unsigned left = moves & 0b10101010U; left != 0; left &= left - 1) {
     const auto direction = static_cast<unsigned>(std::countr_zero(left));
     const Cell to = step(cell, static_cast<Direction>(direction));
-    if (!space_->far_enough(squared_half_cell_way_clearance(*space_, cell, to))) {
+    if (!free_space().far_enough(squared_half_cell_way_clearance(free_space(), cell, to))) {
       safe &= ~(1U << direction);
     }
   }
@@ -54,7 +54,7 @@ DirectionSet GridSpace<Steps>::without_unsafe(Cell cell, DirectionSet moves) con
 
 template <class Steps>
 bool GridSpace<Steps>::is_step(Cell from, Cell to) const {
-  if (!space_->passable(from) || !space_->passable(to)) return false;
+  if (!free_space().passable(from) || !free_space().passable(to)) return false;
   const unsigned moves = moves_from(from, kNoMove);
   for (unsigned direction = 0; direction < kDirections; ++direction) {
     const bool leads_there = neighbour(state(from), direction).cell == to;

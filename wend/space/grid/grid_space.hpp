@@ -70,8 +70,10 @@ class GridSpace {
   explicit GridSpace(FreeSpace space, GridMoves moves = {},
                      MoveTable::Pruning pruning = MoveTable::Pruning::none);
 
+  /// Not between release() and update().
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access)
   const FreeSpace& free_space() const { return *space_; }
-  StateId state_count() const { return static_cast<StateId>(space_->map().size()); }
+  StateId state_count() const { return static_cast<StateId>(free_space().map().size()); }
 
   /// Lets go of the FreeSpace. Until update() nothing else may be asked.
   void release();
