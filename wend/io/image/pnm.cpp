@@ -137,7 +137,7 @@ class PnmDecoder {
   }
 
   static bool is_grey_in_bytes(const Header& header) {
-    return !header.text && header.channels == 1 && header.sample_bytes() == 1;
+    return !header.text && !header.bitmap && header.channels == 1 && header.sample_bytes() == 1;
   }
 
   /// Adds a row of grey bytes, the usual one; does nothing and returns false if one is above the maximum.

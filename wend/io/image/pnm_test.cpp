@@ -9,6 +9,7 @@ namespace wend {
 namespace {
 
 using namespace std::string_literals;
+using testing::Each;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -53,6 +54,10 @@ TEST(Pnm, BitmapRowsAreWholeBytes) {
               ElementsAre(1, 1, 1, 1, 1, 1, 1, 1, 0));
   EXPECT_THAT(row_of(pnm_image("P4\n9 2\n\x00\x80\xFF\x00"s), 1),
               ElementsAre(0, 0, 0, 0, 0, 0, 0, 0, 1));
+}
+
+TEST(Pnm, ABitmapWithoutBlackIsWhite) {
+  EXPECT_THAT(pnm_image("P4\n9 2\n\x00\x00\x00\x00"s).values, Each(1));
 }
 
 TEST(Pnm, ColoursBecomeGreyByTheirLuma) {
