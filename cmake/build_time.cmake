@@ -19,6 +19,12 @@ set(WEND_TEXT_OPTIONS
     ""
     CACHE STRING "Options, besides the others, of sources that make text, and of tests")
 
+# GCC collects garbage as soon as it has 128 MB. With 512 MB it hardly ever does: a fifth less CPU time for the large
+# sources, with a third more memory, at most 1.1 GB a compiler.
+if(PROJECT_IS_TOP_LEVEL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options("--param=ggc-min-heapsize=524288")
+endif()
+
 set(wend_precompiled_standard
     <algorithm>
     <array>
