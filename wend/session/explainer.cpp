@@ -30,6 +30,24 @@ Limits limits_of_a_trial(const Deadline& deadline) {
   return limits;
 }
 
+/// Of several goals that a path cannot reach, the cause of the one nearest to the start; null if all are off the map.
+const FailureCause* nearest_cause(const Failure& failure) {
+  const FailureCause* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const FailureCause& cause : failure.causes) {
+    const auto* const separated = std::get_if<Separated>(&cause);
+    const auto* const blocked = std::get_if<EndBlocked>(&cause);
+    if (separated == nullptr && (blocked == nullptr || !blocked->end)) continue;
+    const std::size_t goal = separated != nullptr ? separated->goal : *blocked->end;
+    const double away = distance(failure.goals[goal].place, failure.start.place);
+    if (away < least) {
+      least = away;
+      nearest = &cause;
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::string Explainer::words(const Failure& failure, const SearchMetrics& metrics) const {
@@ -38,25 +56,43 @@ std::string Explainer::words(const Failure& failure, const SearchMetrics& metric
 
 std::string Explainer::explain(const Failure& failure, const Ends& ends,
                                const SearchMetrics& metrics) const {
+  return with_help(failure, ends, metrics, [&](const FailureCause& cause) {
+    return helped(cause, failure, ends, metrics);
+  });
+}
+
+/// Of several goals, what would help to the nearest one.
+template <class Helped>
+std::string Explainer::with_help(const Failure& failure, const Ends& ends,
+                                 const SearchMetrics& metrics, Helped&& helped) const {
   const FailureText text(space_, units_, hints_);
-  if (failure.causes.size() != 1) return text.of(failure, ends, metrics);
-  const FailureCause& cause = failure.causes.front();
+  if (failure.causes.size() == 1) return helped(failure.causes.front()) + text.tolerance(failure);
+  std::string words = text.of(failure, ends, metrics);
+  if (const FailureCause* const nearest = nearest_cause(failure)) {
+    words += ". The nearest of them: " + helped(*nearest);
+  }
+  return words;
+}
+
+/// For a planner on cells.
+std::string Explainer::helped(const FailureCause& cause, const Failure& failure, const Ends& ends,
+                              const SearchMetrics& metrics) const {
   if (const auto* const separated = std::get_if<Separated>(&cause)) {
     Place goal = ends.goals[separated->goal];
     // The point itself may be blocked. Another cell within the tolerance is not.
     if (failure.tolerance > 0 && !space_.passable(goal.cell)) {
       if (const auto cell = nearest_passable(space_, goal.cell)) goal = units_.place("goal", *cell);
     }
-    return unreachable(ends.start, goal) + text.tolerance(failure);
+    return unreachable(ends.start, goal);
   }
-  std::string words = text.of(cause, failure, ends, metrics);
+  std::string words = FailureText(space_, units_, hints_).of(cause, failure, ends, metrics);
   if (const auto* const blocked = std::get_if<EndBlocked>(&cause)) {
     const Place& place = ends.at(blocked->end);
     const Place& other = blocked->end ? ends.start : ends.goals.front();
     if (!space_.passable(other.cell)) words += ". Also, " + this->blocked(other);
     words += ". " + nearest(place, other);
   }
-  return words + text.tolerance(failure);
+  return words;
 }
 
 std::string Explainer::explain(const Planner& planner, const Query& query, const Ends& ends,
@@ -72,22 +108,21 @@ std::string Explainer::explain(const Planner& planner, const Query& query, const
 std::string Explainer::explain_pose(const Failure& failure, const Planner& planner,
                                     const Query& query, const Ends& asked,
                                     const SearchMetrics& metrics) const {
-  const FailureText text(space_, units_, hints_);
   Ends ends = ends_of(failure, units_);
   for (const FailureCause& cause : failure.causes) {
     const auto* const outside = std::get_if<EndOutside>(&cause);
     if (outside == nullptr) continue;
     (outside->end ? ends.goals[*outside->end] : ends.start) = asked.at(outside->end);
   }
-  if (failure.causes.size() != 1) return text.of(failure, ends, metrics);
-  const FailureCause& cause = failure.causes.front();
-  std::string words = text.of(cause, failure, ends, metrics);
-  if (const auto* const blocked = std::get_if<EndBlocked>(&cause)) {
-    words += nearest_place(planner, blocked->end ? query.goals[*blocked->end] : Goal(query.start),
-                           !blocked->end);
-  }
-  if (failure.status == Status::unreachable) words += opened_by_unknown(planner, query);
-  return words + text.tolerance(failure);
+  return with_help(failure, ends, metrics, [&](const FailureCause& cause) {
+    std::string words = FailureText(space_, units_, hints_).of(cause, failure, ends, metrics);
+    if (const auto* const blocked = std::get_if<EndBlocked>(&cause)) {
+      words += nearest_place(planner, blocked->end ? query.goals[*blocked->end] : Goal(query.start),
+                             !blocked->end);
+    }
+    if (failure.status == Status::unreachable) words += opened_by_unknown(planner, query);
+    return words;
+  });
 }
 
 /// How a robot that does not fit at the start can leave it, or why it cannot.

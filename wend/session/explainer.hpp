@@ -85,6 +85,11 @@ class WEND_API Explainer {
   std::string width(const WidestPath& widest) const;
 
  private:
+  template <class Helped>
+  std::string with_help(const Failure& failure, const Ends& ends, const SearchMetrics& metrics,
+                        Helped&& helped) const;
+  std::string helped(const FailureCause& cause, const Failure& failure, const Ends& ends,
+                     const SearchMetrics& metrics) const;
   std::string explain_pose(const Failure& failure, const Planner& planner, const Query& query,
                            const Ends& ends, const SearchMetrics& metrics) const;
   std::string move(Place& place, Cell cell, std::string_view preposition) const;
