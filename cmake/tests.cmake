@@ -10,6 +10,12 @@ add_library(wend_rapidcheck INTERFACE)
 target_link_libraries(wend_rapidcheck INTERFACE rapidcheck rapidcheck_gtest rapidcheck_gmock
                                                 GTest::gtest fmt::fmt)
 
+# The paths that tests know: only this is compiled with them, and each clone has its own.
+add_library(wend_build_paths STATIC "${PROJECT_SOURCE_DIR}/tests/testing/build_paths.cpp")
+target_include_directories(wend_build_paths PUBLIC "${PROJECT_SOURCE_DIR}")
+target_compile_definitions(wend_build_paths PRIVATE WEND_DATA="${WEND_DATA}"
+                                                    WEND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+
 set(wend_long_cases "All/*:*LongRun*")
 
 # wend_add_shards(<target> <name> <shards> <filter> <timeout> [<label>]): <name>.<shard> for each shard.
@@ -30,9 +36,7 @@ endfunction()
 function(wend_add_test_program target name)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "SHARDS" "SOURCES;LIBRARIES")
   add_executable(${target} ${arg_SOURCES})
-  target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} wend_rapidcheck GTest::gmock_main)
-  target_compile_definitions(${target} PRIVATE WEND_DATA="${WEND_DATA}"
-                                               WEND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} wend_build_paths wend_rapidcheck GTest::gmock_main)
   wend_compile_text(${target})
   wend_precompile(${target} test)
   wend_unite(${target} WEND_UNITY_TESTS)

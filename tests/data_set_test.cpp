@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/query/scenario.hpp"
 #include "wend/planner/planners.hpp"
@@ -35,13 +36,13 @@ bool is_wanted(const fs::path& file) {
 
 std::vector<std::string> scenario_files() {
   std::vector<std::string> files;
-  if (std::string_view(WEND_DATA).empty()) return files;
+  if (data_folder().empty()) return files;
   for (const std::string_view folder : kFolders) {
-    const fs::path root = fs::path(WEND_DATA) / folder;
+    const fs::path root = data_folder() / folder;
     if (!fs::exists(root)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
       if (is_wanted(entry.path())) {
-        files.push_back(fs::relative(entry.path(), WEND_DATA).generic_string());
+        files.push_back(fs::relative(entry.path(), data_folder()).generic_string());
       }
     }
   }
@@ -114,7 +115,7 @@ void check(Planner& planner, const GridMap& map, const ScenarioQuery& query, boo
 
 /// Plans at most `most` queries of a file, evenly spread.
 void check_file(const std::string& file, std::size_t most) {
-  const auto scenario = load_scenario(fs::path(WEND_DATA) / file);
+  const auto scenario = load_scenario(data_folder() / file);
   ASSERT_TRUE(scenario) << scenario.error().message;
   ASSERT_FALSE(scenario->queries.empty());
   const auto map_file = scenario_map_path(*scenario);
@@ -137,10 +138,10 @@ void check_file(const std::string& file, std::size_t most) {
 }
 
 TEST(DataSets, AreThere) {
-  if (std::string_view(WEND_DATA).empty()) {
+  if (data_folder().empty()) {
     GTEST_SKIP() << "no data: configure with -DWEND_DATA=FOLDER to test on real maps";
   }
-  EXPECT_FALSE(scenario_files().empty()) << "no scenarios in " << WEND_DATA;
+  EXPECT_FALSE(scenario_files().empty()) << "no scenarios in " << data_folder();
 }
 
 class SampleOfScenario : public ::testing::TestWithParam<std::string> {};

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/fuzz/loaders.hpp"
+#include "tests/testing/build_paths.hpp"
 
 namespace wend::test {
 
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kFuzzFolder = fs::path(WEND_SOURCE_DIR) / "tests" / "fuzz";
+const fs::path kFuzzFolder = source_folder() / "tests" / "fuzz";
 
 std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -55,7 +56,7 @@ TEST_P(FuzzedLoader, DoesNothingWrongOnWhatOnceWentWrong) {
 }
 
 TEST_P(FuzzedLoader, DoesNothingWrongOnMalformedFiles) {
-  const fs::path folder = fs::path(WEND_DATA) / "bad";
+  const fs::path folder = data_folder() / "bad";
   if (!fs::exists(folder)) GTEST_SKIP() << "WEND_DATA names no folder with bad/";
   for (const fs::path& file : files_under(folder)) replay(file);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "conformance/random_edit.hpp"
+#include "tests/testing/build_paths.hpp"
 #include "wend/io/map/load_map.hpp"
 
 namespace wend::test {
@@ -17,10 +18,10 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> map_files() {
   std::vector<fs::path> files;
-  if (std::string_view(WEND_DATA).empty()) return files;
+  if (data_folder().empty()) return files;
   for (const auto& [folder, extension] :
        {std::pair{"nine", ".map"}, {"grids", ".map"}, {"ros", ".yaml"}}) {
-    const fs::path root = fs::path(WEND_DATA) / folder;
+    const fs::path root = data_folder() / folder;
     if (!fs::exists(root)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
       if (entry.path().extension() == extension) files.push_back(entry.path());

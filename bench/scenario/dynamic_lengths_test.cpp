@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/io/query/dynamic_scenario.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/free_space.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 /// The competition's file: every length is that of a shortest path on the map as it is then.
 TEST(DynamicScenario, HasTrueLengths) {
-  const auto file = std::filesystem::path(WEND_DATA) / "dynamic" / "dao_arena2.scen";
+  const auto file = test::data_folder() / "dynamic" / "dao_arena2.scen";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
   const auto scenario = load_dynamic_scenario(file);
   ASSERT_TRUE(scenario) << scenario.error().message;

@@ -8,6 +8,7 @@
 
 #include "tests/command_line/bench_folder.hpp"
 #include "tests/command_line/database_number.hpp"
+#include "tests/testing/build_paths.hpp"
 
 namespace wend::test {
 namespace {
@@ -156,9 +157,9 @@ class LongBench : public BenchDatabaseCommand {
   /// Runs until an answer is stored, then sends a signal. What it wrote to standard error.
   std::string stop_with(int signal) const {
     const std::string err = folder_ / "err";
-    std::vector<std::string> words{WEND_CLI_PATH, "bench",      file_,
-                                   "--planner",   "dijkstra",   "--repetitions",
-                                   "1000000",     "--database", database_};
+    std::vector<std::string> words{program(),   "bench",      file_,
+                                   "--planner", "dijkstra",   "--repetitions",
+                                   "1000000",   "--database", database_};
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT,

@@ -7,6 +7,7 @@
 
 #include "tests/command_line/bench_folder.hpp"
 #include "tests/command_line/database_number.hpp"
+#include "tests/testing/build_paths.hpp"
 
 namespace wend::test {
 namespace {
@@ -20,9 +21,9 @@ constexpr const char* kKeepsMemory = "ASAN_OPTIONS=detect_leaks=0";
 class DistributedBench : public testing::Test, protected BenchFolder {
  protected:
   void SetUp() override {
-    const Outcome alone = run_program({WEND_CLI_PATH, "bench", scenario(kRight), "--distributed",
-                                       "--database", folder_ / "alone.db"},
-                                      {kKeepsMemory});
+    const Outcome alone = run_program(
+        {program(), "bench", scenario(kRight), "--distributed", "--database", folder_ / "alone.db"},
+        {kKeepsMemory});
     if (alone.err.find("built without it") != std::string::npos) GTEST_SKIP() << alone.err;
     EXPECT_EQ(alone.code, 0) << alone.err;
     if (shell("command -v mpirun").code != 0) GTEST_SKIP() << "there is no mpirun";
@@ -51,7 +52,7 @@ class DistributedBench : public testing::Test, protected BenchFolder {
             std::to_string(count),
             "env",
             kKeepsMemory,
-            std::string("WEND=") + WEND_CLI_PATH,
+            "WEND=" + program(),
             "sh",
             "-c",
             "RANK=$OMPI_COMM_WORLD_RANK; " + line};

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/command_line/run_program.hpp"
+#include "tests/testing/build_paths.hpp"
 
 namespace wend::test {
 namespace {
@@ -158,7 +159,7 @@ std::vector<std::string> endless_walk(const TemporaryFolder& folder) {
   const std::string row = std::string(2000, '.') + "\n";
   std::string grid;
   for (int y = 0; y < 2000; ++y) grid += row;
-  return {WEND_CLI_PATH, "plan",      folder.write("grid.txt", grid),
+  return {program(),     "plan",      folder.write("grid.txt", grid),
           "--start",     "0,0",       "--goal",
           "1999,1999",   "--planner", "random_walk",
           "--max-steps", "100000000", "--format",
@@ -176,9 +177,9 @@ TEST(Interrupt, CancelsTheSearch) {
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, terminal.name().c_str(),
                                    O_WRONLY | O_NOCTTY, 0);
   pid_t child = 0;
-  ASSERT_EQ(
-      posix_spawn(&child, WEND_CLI_PATH, &actions, nullptr, pointers_to(arguments).data(), environ),
-      0);
+  ASSERT_EQ(posix_spawn(&child, program().c_str(), &actions, nullptr, pointers_to(arguments).data(),
+                        environ),
+            0);
   posix_spawn_file_actions_destroy(&actions);
   // The progress bar shows that the search is on.
   ASSERT_TRUE(terminal.wait_for("planning "));

@@ -7,6 +7,7 @@
 
 #include "tests/command_line/run_program.hpp"
 #include "tests/command_line/walled_off_grid.hpp"
+#include "tests/testing/build_paths.hpp"
 
 namespace wend::test {
 namespace {
@@ -23,7 +24,7 @@ class Streams : public testing::Test {
   /// A line of bash, which knows <( ), in the folder.
   Outcome bash(const std::string& line) const {
     return run_program({"/bin/bash", "-c", "cd " + (folder_ / "").string() + " && " + line},
-                       {std::string("WEND=") + WEND_CLI_PATH});
+                       {"WEND=" + program()});
   }
 
   TemporaryFolder folder_;

@@ -12,6 +12,7 @@
 
 #include "tests/command_line/corridor_grid.hpp"
 #include "tests/command_line/run_program.hpp"
+#include "tests/testing/build_paths.hpp"
 #include "wend/base/random.hpp"
 
 namespace wend::test {
@@ -21,7 +22,7 @@ namespace {
 class Running {
  public:
   explicit Running(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), WEND_CLI_PATH);
+    arguments.insert(arguments.begin(), program());
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/command_line/run_program.hpp"
+#include "tests/testing/build_paths.hpp"
 
 namespace wend::test {
 namespace {
@@ -54,8 +55,7 @@ TEST(MotionPage, QuotesWhatItsCommandsPrint) {
   std::string printed;
   int commands = 0;
   int quotes = 0;
-  for (const Block& block :
-       blocks_of(std::filesystem::path(WEND_SOURCE_DIR) / "docs" / "motion.md")) {
+  for (const Block& block : blocks_of(source_folder() / "docs" / "motion.md")) {
     for (const std::string& line : block.lines) {
       if (block.language == "sh") {
         printed = printed_by(line, folder);

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/command_line/run_program.hpp"
+#include "tests/testing/build_paths.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/planners.hpp"
@@ -124,13 +125,13 @@ std::vector<double> numbers_of(const std::string& field) {
   return numbers;
 }
 
-std::filesystem::path committed() { return std::filesystem::path(WEND_SOURCE_DIR) / "docs"; }
+std::filesystem::path committed() { return source_folder() / "docs"; }
 
 /// A folder that the program has written to.
 class PlannerPage : public testing::Test {
  protected:
   PlannerPage()
-      : outcome_(run_program({WEND_PLANNER_PAGE_PATH, "--quick", folder_ / "docs"})),
+      : outcome_(run_program({planner_page_program(), "--quick", folder_ / "docs"})),
         page_(bytes_of(folder_ / "docs/planners.md")) {}
 
   TemporaryFolder folder_;
@@ -142,7 +143,7 @@ TEST_F(PlannerPage, IsWritten) {
   EXPECT_EQ(outcome_.code, 0) << outcome_.err;
   EXPECT_THAT(outcome_.out, IsEmpty());
   EXPECT_THAT(page_, AllOf(HasSubstr("# Planners\n"), HasSubstr("./run docs"),
-                           HasSubstr("## Measurements"), Not(HasSubstr(WEND_SOURCE_DIR))));
+                           HasSubstr("## Measurements"), Not(HasSubstr(source_folder().string()))));
 }
 
 TEST_F(PlannerPage, HasASectionForEveryPlanner) {
@@ -282,7 +283,7 @@ TEST_F(PlannerPage, ListsPathCostsOfPlannersThatAreNotOptimal) {
 }
 
 TEST_F(PlannerPage, SaysTheSameAgainButForTimes) {
-  const Outcome again = run_program({WEND_PLANNER_PAGE_PATH, "--quick", folder_ / "again"});
+  const Outcome again = run_program({planner_page_program(), "--quick", folder_ / "again"});
   ASSERT_EQ(again.code, 0);
   const std::string other = bytes_of(folder_ / "again/planners.md");
   EXPECT_EQ(registry_part(other), registry_part(page_));
@@ -294,7 +295,7 @@ TEST_F(PlannerPage, RefreshesTheRegistryPartAlone) {
   old.replace(old.find("## Overview"), 20, "an old text");
   const std::string file = folder_.write("docs/planners.md", old);
   const Outcome outcome =
-      run_program({WEND_PLANNER_PAGE_PATH, "--registry-only", folder_ / "docs"});
+      run_program({planner_page_program(), "--registry-only", folder_ / "docs"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(bytes_of(file), page_);
 }
@@ -307,7 +308,7 @@ TEST_F(PlannerPage, InDocsIsUpToDate) {
 TEST(PlannerPageProgram, NamesADataFileThatIsNotThere) {
   const TemporaryFolder folder;
   const Outcome outcome =
-      run_program({WEND_PLANNER_PAGE_PATH, "--data", folder / "nowhere", folder / "docs"});
+      run_program({planner_page_program(), "--data", folder / "nowhere", folder / "docs"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("nowhere/nine/"));
   EXPECT_FALSE(std::filesystem::exists(folder / "docs"));
@@ -316,7 +317,7 @@ TEST(PlannerPageProgram, NamesADataFileThatIsNotThere) {
 TEST(PlannerPageProgram, NamesAFolderThatItCannotWriteTo) {
   const TemporaryFolder folder;
   const Outcome outcome =
-      run_program({WEND_PLANNER_PAGE_PATH, "--quick", folder.write("file", "") + "/docs"});
+      run_program({planner_page_program(), "--quick", folder.write("file", "") + "/docs"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("file/docs/images"));
 }
@@ -324,7 +325,7 @@ TEST(PlannerPageProgram, NamesAFolderThatItCannotWriteTo) {
 TEST(PlannerPageProgram, NeedsAPageToRefresh) {
   const TemporaryFolder folder;
   const std::string name = folder.write("planners.md", "# Planners\n");
-  const Outcome outcome = run_program({WEND_PLANNER_PAGE_PATH, "--registry-only", folder / ""});
+  const Outcome outcome = run_program({planner_page_program(), "--registry-only", folder / ""});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("planners.md: the comments around the registry part"));
   EXPECT_EQ(bytes_of(name), "# Planners\n");

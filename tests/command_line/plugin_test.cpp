@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/command_line/run_program.hpp"
+#include "tests/testing/build_paths.hpp"
 #include "wend/version.hpp"
 
 namespace wend::test {
@@ -17,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-std::string plugin(const std::string& name) { return WEND_PLUGINS "/" + name + ".so"; }
+std::string plugin(const std::string& name) { return plugin_folder() / (name + ".so"); }
 
 class Plugin : public testing::Test {
  protected:

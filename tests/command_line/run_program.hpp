@@ -15,11 +15,7 @@
 #include <string_view>
 #include <vector>
 
-// The build says where the program is; else it is the installed one.
-#ifndef WEND_CLI_PATH
-#define WEND_CLI_PATH "wend"
-#endif
-
+#include "tests/testing/build_paths.hpp"
 namespace wend::test {
 
 struct Outcome {
@@ -100,15 +96,13 @@ inline Outcome run_program(std::vector<std::string> arguments,
 
 /// The program wend.
 inline Outcome wend(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), WEND_CLI_PATH);
+  arguments.insert(arguments.begin(), program());
   return run_program(std::move(arguments));
 }
 
 /// A line of sh in which $WEND is the program.
 inline Outcome shell(const std::string& line) {
-  return run_program({"/bin/sh", "-c", line}, {std::string("WEND=") + WEND_CLI_PATH});
+  return run_program({"/bin/sh", "-c", line}, {"WEND=" + program()});
 }
-
-inline std::filesystem::path data_folder() { return WEND_DATA; }
 
 }  // namespace wend::test

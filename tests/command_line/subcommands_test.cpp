@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/command_line/run_program.hpp"
+#include "tests/testing/build_paths.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {
@@ -57,7 +58,7 @@ TEST(Usage, VersionIsAResult) {
 TEST(Usage, VersionIsTheSameWhereverItIsWritten) {
   std::string version = wend({"--version"}).out.substr(std::string("wend ").size());
   version.pop_back();  // the line's end
-  const std::string source = WEND_SOURCE_DIR;
+  const std::string source = source_folder();
   EXPECT_THAT(bytes_of(source + "/CITATION.cff"), HasSubstr("\nversion: " + version + "\n"));
   EXPECT_THAT(bytes_of(source + "/CHANGELOG.md"), StartsWith("# Changelog\n\n## " + version));
   EXPECT_THAT(bytes_of(source + "/ros/wend_ros/package.xml"),
@@ -443,7 +444,7 @@ TEST_F(Examples, OfTheHelpWork) {
 }
 
 TEST_F(Examples, OfTheDocumentationWork) {
-  const auto commands = commands_in_blocks(bytes_of(WEND_SOURCE_DIR "/docs/command_line.md"));
+  const auto commands = commands_in_blocks(bytes_of(source_folder() / "docs/command_line.md"));
   EXPECT_GE(commands.size(), 10U);
   for (const std::string& command : commands) expect_to_work(command);
 }
@@ -451,7 +452,7 @@ TEST_F(Examples, OfTheDocumentationWork) {
 TEST_F(Examples, OfTheReadmeAndTheTourWorkInTheirOrder) {
   for (const auto& [page, fewest] :
        {std::pair{"/README.md", 3U}, {"/docs/getting_started.md", 15U}}) {
-    const std::string text = bytes_of(std::string(WEND_SOURCE_DIR) + page);
+    const std::string text = bytes_of(source_folder().string() + page);
     const auto commands = commands_in_blocks(text);
     EXPECT_GE(commands.size(), fewest) << page;
     for (const std::string& command : commands) expect_to_work(command);

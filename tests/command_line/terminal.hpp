@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/build_paths.hpp"
 namespace wend::test {
 
 class PseudoTerminal {
@@ -30,7 +31,7 @@ class PseudoTerminal {
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
   void start(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), WEND_CLI_PATH);
+    arguments.insert(arguments.begin(), program());
     std::vector<char*> pointers;
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
@@ -43,7 +44,7 @@ class PseudoTerminal {
     setenv("TERM", "xterm-256color", 1);
     close(ours_);
     login_tty(its_);
-    execv(WEND_CLI_PATH, pointers.data());
+    execv(arguments.front().c_str(), pointers.data());
     _exit(127);
   }
 

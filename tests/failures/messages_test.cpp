@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/testing/build_paths.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "wend/map/masked.hpp"
 #include "wend/session/session.hpp"
@@ -25,7 +26,7 @@ namespace wend::test {
 namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view kFile = WEND_SOURCE_DIR "/tests/failures/messages.txt";
+std::string message_file() { return source_folder() / "tests/failures/messages.txt"; }
 
 /// A map in cells, with a row of obstacles, unknown cells and a closed room.
 constexpr std::string_view kYard = R"(
@@ -400,7 +401,7 @@ std::string line_of(const Answered& answered) {
 /// Lines "name | status: message".
 std::map<std::string, std::string> committed() {
   std::map<std::string, std::string> found;
-  std::ifstream file{std::string(kFile)};
+  std::ifstream file{message_file()};
   for (std::string line; std::getline(file, line);) {
     const auto bar = line.find(" | ");
     if (bar != std::string::npos) found[line.substr(0, bar)] = line.substr(bar + 3);
@@ -410,7 +411,7 @@ std::map<std::string, std::string> committed() {
 
 TEST(FailureMessages, AreThoseOfTheList) {
   if (std::getenv("WEND_WRITE_MESSAGES") != nullptr) {
-    std::ofstream file{std::string(kFile)};
+    std::ofstream file{message_file()};
     for (const Answered& each : answers()) file << each.made.name << " | " << line_of(each) << '\n';
   }
   auto expected = committed();

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/base/random.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/io/map/load_map.hpp"
@@ -24,12 +25,12 @@ namespace fs = std::filesystem;
 constexpr double kDataRadius = 0.2;  // m
 constexpr double kMargin = 0.1;      // m
 
-GridMap real_map(const fs::path& file) { return load_map(fs::path(WEND_DATA) / file)->map; }
+GridMap real_map(const fs::path& file) { return load_map(data_folder() / file)->map; }
 
 class FollowData : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (std::string_view(WEND_DATA).empty()) GTEST_SKIP() << "there is no WEND_DATA";
+    if (data_folder().empty()) GTEST_SKIP() << "there is no WEND_DATA";
   }
 };
 
@@ -38,7 +39,7 @@ class LapOf : public FollowData, public ::testing::WithParamInterface<std::strin
 TEST_P(LapOf, StaysOnTheTrack) {
   const GridMap map = real_map("tracks/" + GetParam() + "_map.yaml");
   const FreeSpace space = *make_free_space(map, {.footprint = Footprint::disc(kDataRadius)});
-  const fs::path file = fs::path(WEND_DATA) / "tracks" / (GetParam() + "_centerline.csv");
+  const fs::path file = data_folder() / "tracks" / (GetParam() + "_centerline.csv");
   const Path line = load_path(file, map.frame()).value();
   const auto controller = make_controller("pure_pursuit").value();
   MotionModel model{.drivetrain = Drivetrain::bicycle};

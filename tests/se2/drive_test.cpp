@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/base/random.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/control/trajectory_tracker.hpp"
@@ -74,7 +75,7 @@ GridMap made(const DriveMap& map) {
     return make_grid_map(cells.occupied(), cells.unknown(), {.resolution = 0.1}, cells.terrain())
         .value();
   }
-  return load_map(std::filesystem::path(WEND_DATA) / map.file)->map;
+  return load_map(data_folder() / map.file)->map;
 }
 
 const std::vector<Point> kOutline{{kHalfLength, kHalfWidth},
@@ -197,7 +198,7 @@ struct Tally {
 class Drives : public ::testing::TestWithParam<DriveMap> {
  protected:
   void SetUp() override {
-    if (!GetParam().file.empty() && std::string_view(WEND_DATA).empty()) {
+    if (!GetParam().file.empty() && data_folder().empty()) {
       GTEST_SKIP() << "there is no WEND_DATA";
     }
   }

@@ -12,6 +12,7 @@
 
 #include "conformance/driven_path.hpp"
 #include "conformance/random_map.hpp"
+#include "tests/testing/build_paths.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
@@ -233,7 +234,7 @@ struct SbplSet {
 class PrimitivesOfSbpl : public ::testing::TestWithParam<SbplSet> {};
 
 TEST_P(PrimitivesOfSbpl, LeadNowhereThatHybridAStarDoesNotReach) {
-  const std::filesystem::path file = std::filesystem::path(WEND_DATA) / "sbpl" / GetParam().file;
+  const std::filesystem::path file = data_folder() / "sbpl" / GetParam().file;
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " does not exist";
   const MotionPrimitives set = *load_primitives(file);
   const double radius = least_radius(set);

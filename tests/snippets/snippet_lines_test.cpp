@@ -10,11 +10,12 @@
 #include <string>
 #include <string_view>
 
+#include "tests/testing/build_paths.hpp"
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSource = WEND_SOURCE_DIR;
+const fs::path kSource = wend::test::source_folder();
 
 std::string text_of(const fs::path& file) {
   std::ostringstream text;

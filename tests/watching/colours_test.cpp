@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/plot/plot_style.hpp"
+#include "tests/testing/build_paths.hpp"
 #include "wend/render/style.hpp"
 
 namespace wend {
@@ -19,7 +20,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string page() {
-  std::ifstream stream(WEND_SOURCE_DIR "/docs/colours.md");
+  std::ifstream stream(test::source_folder() / "docs/colours.md");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

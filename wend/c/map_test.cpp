@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "conformance/random_map.hpp"
+#include "tests/testing/build_paths.hpp"
 #include "tests/testing/c_objects.hpp"
 #include "wend/c/objects.hpp"
 
@@ -182,7 +183,7 @@ TEST(CMap, ReadsFilesAndTheirBytes) {
     return wend_map_parse(kText.data(), std::numeric_limits<std::size_t>::max(), "m", out, error);
   });
   EXPECT_EQ(too_long.status, WEND_INVALID_ARGUMENT);
-  const std::string folder = WEND_SOURCE_DIR "/tests/install_consumer/";
+  const std::string folder = source_folder() / "tests/install_consumer/";
   const auto loaded = made_object<wend_map>([&](wend_map** out, wend_error* error) {
     return wend_map_load((folder + "wall.txt").c_str(), out, error);
   });

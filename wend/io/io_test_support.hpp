@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/io/file_error.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
@@ -50,7 +51,7 @@ inline std::string bytes_of(const std::filesystem::path& file) {
 }
 
 /// The folder with the shared data; empty if it is not configured.
-inline std::filesystem::path data_folder() { return WEND_DATA; }
+using test::data_folder;
 
 /// The cells, row 0 first: '.' free, '#' occupied, '?' unknown.
 inline std::string cells_of(const GridMap& map) {

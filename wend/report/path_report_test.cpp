@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/search/search_metrics.hpp"
@@ -58,7 +59,7 @@ TEST(MetricsTable, HasALineForEachMeasureInTheUnit) {
 }
 
 std::string text_of_file(const std::string& name) {
-  std::ifstream file(std::string(WEND_SOURCE_DIR) + "/" + name);
+  std::ifstream file(test::source_folder() / name);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

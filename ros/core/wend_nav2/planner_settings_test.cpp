@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/robot_fields.hpp"
 
@@ -66,7 +67,7 @@ TEST(PlannerSettings, HaveAParameterForEveryFieldOfARequest) {
 }
 
 std::string page(const std::string& name) {
-  std::ifstream file(std::string(WEND_SOURCE_DIR) + "/docs/" + name);
+  std::ifstream file(wend::test::source_folder() / "docs" / name);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
