@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/measure/speed_baseline.hpp"
 #include "bench/suites/speed/speed_maps.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/expected.hpp"
@@ -36,6 +35,13 @@ struct MapTimings {
   std::size_t queries = 0;
   double path_cells = 0;         // mean
   std::vector<Timing> planners;  // Boost's A* first
+};
+
+/// How many times as fast as Boost a planner is: the geometric mean over maps.
+struct SpeedRatios {
+  double later = 0;    // queries in a stream of many
+  double first = 0;    // the first query of a new planner
+  double prepare = 0;  // making the planner, with its index
 };
 
 struct SpeedPlan {

@@ -8,14 +8,12 @@
 #include <filesystem>
 #include <string_view>
 
-#include "bench/measure/machine.hpp"
 #include "bench/measure/measuring.hpp"
 #include "bench/suites/speed/speed_output.hpp"
 #include "bench/suites/speed/speed_run.hpp"
 #include "bench/suites/suite.hpp"
+#include "bench/suites/suite_baseline.hpp"
 #include "bench/suites/suite_maps.hpp"
-#include "wend/io/files.hpp"
-#include "wend/report/build_info.hpp"
 
 namespace wend::bench {
 namespace {
@@ -61,38 +59,29 @@ bool any_wrong(const std::vector<MapTimings>& maps) {
 std::vector<BaselineRow> rows_of(const std::vector<MapTimings>& maps) {
   std::vector<BaselineRow> rows;
   for (std::size_t i = 1; i < maps.front().planners.size(); ++i) {
-    rows.push_back({maps.front().planners[i].name, ratios_of(maps, i)});
+    const std::string& planner = maps.front().planners[i].name;
+    const SpeedRatios ratios = ratios_of(maps, i);
+    rows.push_back({planner, "later queries", ratios.later});
+    rows.push_back({planner, "first query", ratios.first});
+    rows.push_back({planner, "preparation", ratios.prepare});
   }
   return rows;
 }
 
-void save(const std::vector<MapTimings>& maps, const Arguments& arguments) {
-  const SpeedBaseline baseline{.machine = describe_machine(),
-                               .commit = std::string(wend_commit()),
-                               .sample = arguments.plan.sample,
-                               .rows = rows_of(maps)};
-  const auto written = write_file(arguments.save_baseline, baseline_json(baseline));
-  if (!written) throw Refused(written.error().message);
-}
-
 /// Compares the baseline's planners on the generated maps with the baseline.
 int compare(Arguments arguments) {
-  const SpeedBaseline baseline = value_or_refuse(read_baseline(arguments.baseline));
+  const Baseline baseline = value_or_refuse(read_baseline(arguments.baseline));
+  std::string last;
   for (const BaselineRow& row : baseline.rows) {
-    arguments.plan.planners.push_back(parse_planners(row.planner).front());
+    if (row.subject != last) {
+      arguments.plan.planners.push_back(parse_planners(row.subject).front());
+    }
+    last = row.subject;
   }
   arguments.plan.sample = baseline.sample;
   const std::vector<MapTimings> maps = timed(generated_maps(), arguments.plan);
-  const BaselineVerdict verdict = compared(baseline, rows_of(maps));
-  fmt::print(
-      "Times as fast as Boost.Graph's A* in the same run, CPU time, geometric mean over\n"
-      "the generated maps.\n"
-      "now: commit {}, {}\nbaseline: commit {}, {}\n\n{}",
-      wend_commit(), describe_machine(), baseline.commit, baseline.machine, verdict.table);
-  if (verdict.slower) {
-    fmt::print("\nSLOWER: below the baseline by more than {:.0f} %.\n", 100 * baseline.tolerance);
-  }
-  return verdict.slower || any_wrong(maps) ? 1 : 0;
+  const int slower = compare_with(baseline, rows_of(maps));
+  return any_wrong(maps) ? 1 : slower;
 }
 
 int run(Arguments arguments) {
@@ -105,7 +94,11 @@ int run(Arguments arguments) {
   fmt::print("{}", arguments.format == "json" ? speed_json(maps)
                    : arguments.plan.fresh     ? fresh_text(maps)
                                               : speed_text(maps));
-  if (!arguments.save_baseline.empty()) save(maps, arguments);
+  if (!arguments.save_baseline.empty()) {
+    save_baseline(arguments.save_baseline,
+                  "times as fast as Boost.Graph's A* in the same run, geometric mean over the maps",
+                  arguments.plan.sample, rows_of(maps));
+  }
   return any_wrong(maps) ? 1 : 0;
 }
 
