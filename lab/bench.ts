@@ -40,7 +40,7 @@ function planIn(engine: EngineModule, file: string, planner: string, record: boo
   const { cells, width, height } = readMovingAi(readFileSync(file, 'latin1'), file);
   good(engine.load(cells, width, height, plainFrame));
   const end = width - 1.5;
-  return good(engine.plan({ planner, record, headings: false, nearest: true,
+  return good(engine.plan({ planner, record, headings: false, fields: { nearest: 'true' },
     start: { x: 1.5, y: 1.5, heading: 0 }, goal: { x: end, y: end, heading: 0 } }));
 }
 

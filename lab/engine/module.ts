@@ -1,5 +1,6 @@
 // EngineModule: wend as a WebAssembly module. One instance has one map, one robot and one search.
 
+import { specOf } from '../store/state';
 import { generalText, numberOf, shortestText } from './number_text';
 import type {
   CellInfo, DriveReport, Failure, Frame, Knowledge, Layer, MapInfo, Outcome, Places, Pose, Range, Registry, Solution, Task, Widest,
@@ -16,10 +17,9 @@ interface Exports {
   load(width: number, height: number, resolution: number, originX: number, originY: number, originYaw: number, yUp: number, metric: number): void;
   generate(text: number, width: number, height: number, seed: number): void;
   edit(count: number): void;
-  robot(text: number, distance: number, cost: number, unknownFree: number): void;
-  plan(planner: number, smoother: number, startX: number, startY: number, startHeading: number,
-       goalX: number, goalY: number, goalHeading: number, headings: number, record: number,
-       nearest: number, closest: number, escape: number, expansions: number, seconds: number): void;
+  robot(footprint: number, fields: number): void;
+  plan(planner: number, smoother: number, fields: number, startX: number, startY: number, startHeading: number,
+       goalX: number, goalY: number, goalHeading: number, headings: number, record: number): void;
   places(startX: number, startY: number, startHeading: number, goalX: number, goalY: number, goalHeading: number,
          headings: number): void;
   widest(startX: number, startY: number, goalX: number, goalY: number): void;
@@ -132,18 +132,17 @@ export class EngineModule {
     return this.answer<MapInfo | Failure>();
   }
 
-  robot(footprint: string, distance: number, cost: number, unknownFree: boolean): MapInfo | Failure {
-    this.wasm.robot(this.write(footprint), distance, cost, Number(unknownFree));
+  /** The robot's shape, and what else is set of it: see Registry.robotFields. */
+  robot(footprint: string, fields: Record<string, string> = {}): MapInfo | Failure {
+    const [shape, rest] = this.writeAll(footprint, specOf('robot', fields));
+    this.wasm.robot(shape!, rest!);
     return this.answer<MapInfo | Failure>();
   }
 
   plan(task: Task): Outcome | Failure {
-    const planner = utf8(task.planner).length;
-    const both = this.write(task.planner + (task.smoother ?? ''));
-    this.wasm.plan(planner, both - planner, task.start.x, task.start.y, task.start.heading,
-                   task.goal.x, task.goal.y, task.goal.heading, Number(task.headings),
-                   Number(task.record), Number(task.nearest ?? false), Number(task.closest ?? false),
-                   task.escape ?? 0, task.expansions ?? 0, task.seconds ?? 0);
+    const [planner, smoother, fields] = this.writeAll(task.planner, task.smoother ?? '', specOf('request', task.fields ?? {}));
+    this.wasm.plan(planner!, smoother!, fields!, task.start.x, task.start.y, task.start.heading,
+                   task.goal.x, task.goal.y, task.goal.heading, Number(task.headings), Number(task.record));
     const outcome = this.answer<PlanText | Failure>();
     if ('error' in outcome) return outcome;
     const points = this.points();
@@ -169,9 +168,8 @@ export class EngineModule {
 
   /** Drives along the last path: "pid:kp=1", "robot:speed=0.3", "simulation:rate=20". */
   drive(controller: string, robot: string, simulation: string): DriveReport | Failure {
-    const sizes = [controller, robot, simulation].map((text) => utf8(text).length) as [number, number, number];
-    this.write(controller + robot + simulation);
-    this.wasm.drive(...sizes);
+    const [itsController, itsRobot, itsSimulation] = this.writeAll(controller, robot, simulation);
+    this.wasm.drive(itsController!, itsRobot!, itsSimulation!);
     const answer = this.answer<DriveReport | Failure>();
     return 'error' in answer ? answer : { ...answer, samples: this.points() };
   }
@@ -230,6 +228,12 @@ export class EngineModule {
     const coded = utf8(text);
     this.bytes(this.wasm.input(coded.length), coded.length).set(coded);
     return coded.length;
+  }
+
+  /** Texts one behind the other: their sizes. */
+  private writeAll(...texts: string[]): number[] {
+    this.write(texts.join(''));
+    return texts.map((text) => utf8(text).length);
   }
 
   private answer<Answer>(): Answer {

@@ -25,7 +25,7 @@ export class Runner {
   private over = false;
   private map: Uint8Array | null = null;
   private pending: Stroke[] = [];
-  private footprint = 'point';
+  private robot = '';
   private wanted: { state: State; choice: Choice; dragging: boolean } | null = null;
   private lastRecording = 0;
   private lastSearch = 0;
@@ -69,7 +69,7 @@ export class Runner {
     this.program = program;
     this.engine = new Engine(program);
     this.map = null;
-    this.footprint = 'point';
+    this.robot = '';
   }
 
   /** Changes to the whole module where the first one has not what is needed. */
@@ -116,11 +116,8 @@ export class Runner {
       start: state.start,
       goal: state.goal,
       headings: state.headings,
-      escape: state.escape,
-      closest: state.closest,
       record,
-      nearest: dragging,
-      seconds: 60,
+      fields: { ...state.requestFields, nearest: String(dragging), time_limit: '60' },
     });
     this.lastSearch = performance.now() - began;
     if (record) this.lastRecording = this.lastSearch;
@@ -139,9 +136,8 @@ export class Runner {
 
   /** Places near both ends where a robot of this shape fits. Fails if the shape or the map is invalid. */
   async places(state: State, footprint: string, headings: boolean): Promise<Places | Failure> {
-    this.footprint = footprint;
-    const robot = await this.engine.call('robot', footprint, 0, 4, false);
-    return 'error' in robot ? robot : this.engine.call('places', state.start, state.goal, headings);
+    const robot = await this.equipRobot({ ...state, footprint });
+    return robot ?? this.engine.call('places', state.start, state.goal, headings);
   }
 
   /** Gives the engine the map, its changes, and the robot. */
@@ -160,11 +156,15 @@ export class Runner {
       const edited = await this.engine.call('edit', indices, bytes);
       if ('error' in edited) return edited;
     }
-    if (this.footprint !== state.footprint) {
-      const robot = await this.engine.call('robot', state.footprint, 0, 4, false);
-      if ('error' in robot) return robot;
-      this.footprint = state.footprint;
-    }
+    return this.equipRobot(state);
+  }
+
+  private async equipRobot({ footprint, robotFields }: State): Promise<Failure | null> {
+    const text = footprint + specOf('', robotFields);
+    if (this.robot === text) return null;
+    const robot = await this.engine.call('robot', footprint, robotFields);
+    if ('error' in robot) return robot;
+    this.robot = text;
     return null;
   }
 }

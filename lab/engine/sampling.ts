@@ -54,7 +54,7 @@ export async function sample(
   let going = true;
   await Promise.all(workers.map(async (worker) => {
     await worker.load(map.cells, map.width, map.height, map.frame);
-    await worker.robot(state.footprint, 0, 4, false);
+    await worker.robot(state.footprint, state.robotFields);
     while (going && next < queries.length) {
       const index = next++;
       const answers: Sample['answers'] = [];
@@ -68,7 +68,8 @@ export async function sample(
 
 async function answerOf(worker: Planning, run: Choice, { start, goal }: Ends): Promise<Sample['answers'][number]> {
   const outcome = await worker.plan({
-    planner: specOf(run.planner, run.options), start, goal, headings: false, record: false, nearest: true, seconds: patience,
+    planner: specOf(run.planner, run.options), start, goal, headings: false, record: false,
+    fields: { nearest: 'true', time_limit: String(patience) },
   });
   if ('error' in outcome || outcome.cost === undefined) return null;
   return { cost: outcome.cost, expanded: outcome.expanded, seconds: outcome.seconds };

@@ -25,7 +25,7 @@ export class Searches {
     this.resize(state.runs.length);
     const all = state.map !== before.map || state.start !== before.start || state.goal !== before.goal ||
       state.footprint !== before.footprint || state.smoother !== before.smoother || state.headings !== before.headings ||
-      state.escape !== before.escape || state.closest !== before.closest;
+      state.robotFields !== before.robotFields || state.requestFields !== before.requestFields;
     const asksMore = state.following !== before.following || state.widest !== before.widest;
     state.runs.forEach((run, i) => {
       const runner = this.runners[i]!;

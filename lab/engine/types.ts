@@ -6,8 +6,15 @@ export interface OptionInfo {
   default: string;
   help: string;
   least: number;
-  greatest: number;
+  /** null: no limit. */
+  greatest: number | null;
   choices: string[];
+}
+
+/** What is set of a robot or a request by name. */
+export interface FieldInfo extends OptionInfo {
+  /** "m", "rad", "s" or empty; metres are cells on a map without them. */
+  unit: string;
 }
 
 export interface PlannerInfo {
@@ -63,6 +70,8 @@ export interface Registry {
   generators: GeneratorInfo[];
   smoothers: SmootherInfo[];
   controllers: ControllerInfo[];
+  robotFields: FieldInfo[];
+  requestFields: FieldInfo[];
 }
 
 /** How the cells lie in the world. Row 0 of the cells is drawn last if yUp is set. */
@@ -105,15 +114,8 @@ export interface Task {
   headings: boolean;
   /** Write the search down, for a replay? */
   record: boolean;
-  /** Move blocked ends? */
-  nearest?: boolean;
-  /** End at the closest place if no path reaches the goal? */
-  closest?: boolean;
-  /** The longest way out of a blocked start, in metres (in cells on a map without them); 0: none. */
-  escape?: number;
-  /** The most expansions and seconds; 0: no limit. */
-  expansions?: number;
-  seconds?: number;
+  /** What else is asked: see Registry.requestFields. */
+  fields?: Record<string, string>;
 }
 
 /** A length as a number and in words. */

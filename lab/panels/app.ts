@@ -9,7 +9,7 @@ import type { ScenarioQuery } from '../formats/moving_ai';
 import { Clock } from '../store/clock';
 import { readLink } from '../store/link';
 import { firstRecipe, fromLink, fromRecipe } from '../store/maps';
-import type { Choice, Recipe, State } from '../store/state';
+import { endsAtClosest, leadsOut, type Choice, type Recipe, type State } from '../store/state';
 import { Store, type Stroke } from '../store/store';
 import { Lesson } from '../exercises/lesson';
 import { Camera, type Point } from '../view/camera';
@@ -166,8 +166,8 @@ export class App extends LitElement implements Actions {
     const { state } = this.store;
     const places = await this.searches.runners[0]!.places(state, footprint, this.turns(state.runs[0]!.planner));
     if ('error' in places) return this.store.commit({ footprint });
-    const start = state.escape > 0 ? state.start : places.start;
-    const goal = state.closest ? state.goal : places.goal;
+    const start = leadsOut(state) ? state.start : places.start;
+    const goal = endsAtClosest(state) ? state.goal : places.goal;
     this.store.commit({ footprint, start, goal });
     this.notify(movedInWords(state, { start, goal }));
   }

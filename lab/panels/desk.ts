@@ -31,7 +31,7 @@ export async function stateOfFiles(files: File[], state: State): Promise<OpenedS
     return { change: ends, queries, notes: [] };
   }
   const map = documentOf(name, { ...grid.frame, width: grid.width, height: grid.height }, grid.cells);
-  return { change: { map, footprint: 'point', escape: 0, ...endsOf(map), ...ends }, queries, notes: grid.notes.map((note) => `${name}: ${note}.`) };
+  return { change: { map, footprint: 'point', robotFields: {}, requestFields: {}, ...endsOf(map), ...ends }, queries, notes: grid.notes.map((note) => `${name}: ${note}.`) };
 }
 
 export function endsOfQuery({ start, goal }: ScenarioQuery): Partial<State> {

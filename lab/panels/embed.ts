@@ -42,6 +42,8 @@ export class Embed extends LitElement {
   private readonly recolour = () => this.requestUpdate();
   private readonly observer = new IntersectionObserver((entries) => { if (entries.some(({ isIntersecting }) => isIntersecting)) void this.begin(); });
   private searches: Searches | null = null;
+  /** Of its attributes; none before the lab is loaded. */
+  private names: string[] = [];
   private fault = '';
   private dragging = false;
   private begun = false;
@@ -67,9 +69,9 @@ export class Embed extends LitElement {
   }
 
   /** The link that the attributes stand for. */
-  get link(): string {
+  private get link(): string {
     const fields = new URLSearchParams();
-    for (const name of queryNames) {
+    for (const name of this.names) {
       const value = this.getAttribute(name);
       if (value === null) continue;
       const words = name === 'planner' || name === 'wall' ? value.trim().split(/\s+/) : [value];
@@ -84,6 +86,7 @@ export class Embed extends LitElement {
     this.observer.disconnect();
     const programs = await load();
     const { registry } = programs;
+    this.names = queryNames(registry);
     const linked = readLink(this.link || 'map=rooms', registry);
     if (typeof linked === 'string') return this.say(`${linked}.`);
     this.searches = new Searches(programs, this.clock, (all) => this.answered(all));

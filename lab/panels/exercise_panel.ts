@@ -5,7 +5,7 @@ import { budget, wanted } from '../exercises/greedy';
 import type { Lesson } from '../exercises/lesson';
 import type { Exercise } from '../store/state';
 import type { Store } from '../store/store';
-import { sentence } from './planner_panel';
+import { sentence } from './option_field';
 import { panelStyle } from './style';
 
 const titles: [Exercise, string][] = [

@@ -5,7 +5,7 @@ import type { Extras } from '../engine/extras';
 import { sampleSize, type OptionInfo, type Registry } from '../engine/types';
 import { notFollowing, readSpec, specOf, type Following, type State } from '../store/state';
 import type { Store } from '../store/store';
-import { sentence } from './planner_panel';
+import { sentence } from './option_field';
 import './plot';
 import { panelStyle } from './style';
 import { number } from './words';
@@ -126,7 +126,7 @@ function settingOf(option: OptionInfo): Setting {
   const usual = Number(option.default);
   return {
     part: 'controller', name: option.name, label: sentence(option.name.replaceAll('_', ' '), ''), usual,
-    least: Math.min(option.least, usual), most: Math.min(option.greatest, usual > 0 ? 4 * usual : 2),
+    least: Math.min(option.least, usual), most: Math.min(option.greatest ?? Infinity, usual > 0 ? 4 * usual : 2),
   };
 }
 

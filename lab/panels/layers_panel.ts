@@ -2,7 +2,7 @@
 
 import { css, html, LitElement, nothing } from 'lit';
 import type { Layer, Range } from '../engine/types';
-import type { State } from '../store/state';
+import { endsAtClosest, leadsOut, type State } from '../store/state';
 import type { Store } from '../store/store';
 import { panelStyle } from './style';
 import { number } from './words';
@@ -55,8 +55,8 @@ export class LayersPanel extends LitElement {
       <li><i style="background:var(--frontier)"></i>frontier</li>
       <li><i style="background:var(--current)"></i>last expanded</li>
       <li><i class="line" style="background:var(--path)"></i>path</li>
-      ${this.state.escape > 0 ? html`<li><i class="line out"></i>way out</li>` : nothing}
-      ${this.state.closest ? html`<li><i class="line gap"></i>distance that remains</li>` : nothing}</ul>`;
+      ${leadsOut(this.state) ? html`<li><i class="line out"></i>way out</li>` : nothing}
+      ${endsAtClosest(this.state) ? html`<li><i class="line gap"></i>distance that remains</li>` : nothing}</ul>`;
   }
 
   private choose(event: Event): void {

@@ -3,7 +3,7 @@
 import { css, html, LitElement, nothing } from 'lit';
 import type { GeneratorInfo, Registry } from '../engine/types';
 import type { Recipe } from '../store/state';
-import { sentence } from './planner_panel';
+import { sentence } from './option_field';
 import { panelStyle } from './style';
 
 export class MapPanel extends LitElement {

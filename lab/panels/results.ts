@@ -3,7 +3,7 @@
 import { css, html, LitElement } from 'lit';
 import type { Runner } from '../engine/runner';
 import type { Choice } from '../store/state';
-import { sentence } from './planner_panel';
+import { sentence } from './option_field';
 import { panelStyle } from './style';
 import { duration, number } from './words';
 

@@ -2,11 +2,11 @@
 // smoothing.
 
 import { html, LitElement, nothing } from 'lit';
-import type { Failure, Registry, Widest } from '../engine/types';
-import type { Place, State } from '../store/state';
+import type { Failure, FieldInfo, Registry, Widest } from '../engine/types';
+import { fieldsOfThePage, type Place, type State } from '../store/state';
 import type { Store } from '../store/store';
 import { type Rectangle, rectangleOf, rectangleText } from '../view/footprint';
-import { sentence } from './planner_panel';
+import { optionField, sentence, withOption } from './option_field';
 import { panelStyle } from './style';
 import { number } from './words';
 
@@ -51,12 +51,12 @@ export class RobotPanel extends LitElement {
         <label class="check"><input type="checkbox" .checked=${this.state.headings}
           @change=${(event: Event) => this.store.commit({ headings: (event.target as HTMLInputElement).checked })}>
           The goal's heading counts</label>` : nothing}
-      <label>Longest way out of a blocked start, in ${unit}
-        <input type="number" min="0" step="any" .value=${String(this.state.escape)}
-          @change=${(event: Event) => this.store.commit({ escape: Math.min(Math.max(Number(valueOf(event)) || 0, 0), 1e9) })}></label>
-      <label class="check"><input type="checkbox" .checked=${this.state.closest}
-        @change=${(event: Event) => this.store.commit({ closest: (event.target as HTMLInputElement).checked })}>
-        End at the closest place if no path reaches the goal</label>
+      <details ?open=${Object.keys(this.state.robotFields).length > 0}>
+        <summary>What blocks the robot</summary>
+        ${this.fields('robotFields', unit)}</details>
+      <details ?open=${Object.keys(this.state.requestFields).length > 0}>
+        <summary>What is asked</summary>
+        ${this.fields('requestFields', unit)}</details>
       <label>Smooth the path
         <select @change=${(event: Event) => this.store.commit({ smoother: valueOf(event) })}>
           <option value="" ?selected=${smoother === ''}>No</option>
@@ -89,6 +89,16 @@ export class RobotPanel extends LitElement {
           @change=${(event: Event) => this.set(rectangleText({ ...sides, [side]: Number(valueOf(event)) }))}></label>`;
     return html`<div class="row">${input('Length', 'length', '0')}${input('Width', 'width', '0')}</div>
       ${input('Its centre lies ahead of the base point by', 'ahead', '')}`;
+  }
+
+  /** A list of the registry; each control says below what it is. */
+  private fields(list: 'robotFields' | 'requestFields', unit: string) {
+    const given = this.state[list];
+    const control = (field: FieldInfo) => html`<div class="field">
+      ${optionField(field, given[field.name], (value) => this.store.commit({ [list]: withOption(given, field.name, value) }),
+                    field.unit === 'm' ? unit : field.unit)}
+      <p>${sentence(field.help)}</p></div>`;
+    return html`<div class="stack">${this.registry[list].filter(({ name }) => !fieldsOfThePage.has(name)).map(control)}</div>`;
   }
 
   private heading(end: 'start' | 'goal', label: string) {

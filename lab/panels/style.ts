@@ -23,6 +23,8 @@ export const panelStyle = css`
   input[type=checkbox] { accent-color: var(--accent); flex: none; width: 1rem; height: 1rem; margin: 0; }
   label.check { display: flex; align-items: center; gap: 0.5rem; color: var(--ink); font-size: 0.875rem; }
   p { margin: 0; font-size: 0.8125rem; line-height: 1.5; color: var(--faint); }
+  .field { display: grid; gap: 0.2rem; }
+  .field p { font-size: 0.75rem; line-height: 1.35; }
   a { color: var(--accent); }
   details summary { cursor: pointer; font-size: 0.8125rem; color: var(--faint); }
   details > * + * { margin-top: 0.6rem; }

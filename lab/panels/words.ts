@@ -3,7 +3,7 @@
 import { obstacle, unknown, type CellInfo, type Failure, type Outcome, type Places } from '../engine/types';
 import type { State } from '../store/state';
 import type { Point } from '../view/camera';
-import { sentence } from './planner_panel';
+import { sentence } from './option_field';
 
 export function number(value: number, digits = 2): string {
   return value.toLocaleString('en', { maximumFractionDigits: digits });

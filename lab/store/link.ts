@@ -2,7 +2,7 @@
 // recipe only the difference to it. What does not read as such is refused with a reason.
 
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
-import { plainFrame, type Frame, type Layer, type Registry } from '../engine/types';
+import { plainFrame, type FieldInfo, type Frame, type Layer, type Registry } from '../engine/types';
 import { isQueryLink, readQueryLink } from './query_link';
 import {
   exercises, notFollowing, type Choice, type Exercise, type Following, type MapDocument, type Pace, type Place, type Recipe, type State,
@@ -33,8 +33,8 @@ export interface Linked {
   footprint: string;
   smoother: string;
   headings: boolean;
-  escape: number;
-  closest: boolean;
+  robotFields: Record<string, string>;
+  requestFields: Record<string, string>;
   layer: Layer;
   arrows: boolean;
   pace: Pace;
@@ -51,11 +51,11 @@ export const layers: readonly Layer[] = ['', 'expansion', 'g', 'h', 'f', 'cost',
 export function linkOf(state: State, step: number): string | null {
   const map = state.map;
   if (!map) return null;
-  const { start, goal, runs, footprint, smoother, headings, escape, closest, layer, arrows, pace, exercise, following, widest, breakPoint } = state;
+  const { start, goal, runs, footprint, smoother, headings, robotFields, requestFields, layer, arrows, pace, exercise, following, widest, breakPoint } = state;
   const bytes = bytesOf(map);
   const head = strToU8(JSON.stringify({
     v: 1, name: map.name, width: map.width, height: map.height, frame: map.frame, recipe: map.recipe,
-    start, goal, runs, footprint, smoother, headings, escape, closest, layer, arrows, pace, exercise, following, widest, breakPoint, step,
+    start, goal, runs, footprint, smoother, headings, robotFields, requestFields, layer, arrows, pace, exercise, following, widest, breakPoint, step,
   }));
   const all = new Uint8Array(4 + head.length + bytes.length);
   new DataView(all.buffer).setUint32(0, head.length);
@@ -103,7 +103,8 @@ function read(text: string, registry: Registry): Linked {
     ...(recipe ? { recipe } : {}), ...(bytes.length > 0 ? { cells: bytes } : {}),
     start: placeIn(fields['start']), goal: placeIn(fields['goal']), runs,
     footprint: textIn(fields['footprint']), smoother: textIn(fields['smoother']),
-    headings: fields['headings'] === true, escape: escapeIn(fields['escape']), closest: fields['closest'] === true, layer: oneOf(layers, fields['layer']),
+    headings: fields['headings'] === true, layer: oneOf(layers, fields['layer']),
+    robotFields: fieldsIn(fields['robotFields'] ?? {}, registry.robotFields), requestFields: fieldsIn(requestIn(fields), registry.requestFields),
     arrows: fields['arrows'] === true, pace: oneOf(['expansions', 'time'] as const, fields['pace']),
     following: followingIn(fields['following']), widest: fields['widest'] === true,
     breakPoint: fields['breakPoint'] === undefined || fields['breakPoint'] === null ? null : cellIn(fields['breakPoint']),
@@ -174,11 +175,25 @@ function followingIn(value: unknown): Following {
   const { controller, robot, simulation } = objectIn(value);
   return { controller: textIn(controller), robot: textIn(robot), simulation: textIn(simulation) };
 }
-/** Links from before there were ways out have none. */
-function escapeIn(value: unknown): number {
-  const length = value === undefined ? 0 : numberIn(value);
-  if (length < 0) throw new Error('its way out is shorter than 0');
-  return length;
+/** Links from before a request had fields have two of them by themselves, or none. */
+function requestIn({ requestFields, escape, closest }: Record<string, unknown>): unknown {
+  if (requestFields !== undefined) return requestFields;
+  const length = escape === undefined ? 0 : numberIn(escape);
+  return { ...(length === 0 ? {} : { escape: String(length) }), ...(closest === true ? { closest: 'true' } : {}) };
+}
+/** Fields of the registry, with values that it takes. */
+export function fieldsIn(value: unknown, known: readonly FieldInfo[]): Record<string, string> {
+  const given = optionsIn(value, known);
+  for (const [name, text] of Object.entries(given)) {
+    const { kind, choices, greatest } = known.find((field) => field.name === name)!;
+    const plain = kind === 'integer' ? /^\d{1,9}$/ : /^\d{1,9}(\.\d{1,9})?$/;
+    if (kind === 'flag' && text !== 'true' && text !== 'false') throw new Error(`its ${name} is neither true nor false`);
+    if (kind === 'choice' && !choices.includes(text)) throw new Error(`its ${name} is none of ${choices.join(', ')}`);
+    if (kind !== 'flag' && kind !== 'choice' && (!plain.test(text) || Number(text) > (greatest ?? Infinity))) {
+      throw new Error(`its ${name} is not a number of at least 0${greatest === null ? '' : ` and at most ${greatest}`}`);
+    }
+  }
+  return given;
 }
 function frameIn(value: unknown): Frame {
   const fields = objectIn(value);

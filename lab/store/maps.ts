@@ -17,14 +17,14 @@ export async function fromRecipe(recipe: Recipe, registry: Registry, make: Maker
   return {
     map: documentOf(`${recipe.generator}, seed ${recipe.seed}`, info, cells, recipe),
     ...endsOfRecipe(recipe, registry),
-    footprint: 'point', escape: 0,
+    footprint: 'point', robotFields: {}, requestFields: {},
   };
 }
 
 /** The state of a link, but its step. */
 export async function fromLink(linked: Linked, registry: Registry, make: Maker): Promise<Partial<State> | Failure> {
-  const { runs, footprint, smoother, headings, escape, closest, layer, arrows, pace, exercise, following, widest, breakPoint } = linked;
-  const rest = { runs, footprint, smoother, headings, escape, closest, layer, arrows, pace, exercise, following, widest, breakPoint };
+  const { runs, footprint, smoother, headings, robotFields, requestFields, layer, arrows, pace, exercise, following, widest, breakPoint } = linked;
+  const rest = { runs, footprint, smoother, headings, robotFields, requestFields, layer, arrows, pace, exercise, following, widest, breakPoint };
   const { recipe, cells, name, width, height, frame } = linked;
   const ends = { ...(linked.start ? { start: linked.start } : {}), ...(linked.goal ? { goal: linked.goal } : {}) };
   if (!recipe) return { ...rest, ...ends, map: documentOf(name, { ...frame, width, height }, cells!) };

@@ -1,14 +1,20 @@
 // Links that people write by hand, and the attributes of <wend-lab>: "map=rooms&size=61x35&seed=3&planner=astar:weight=2".
 // A second planner is a second `planner`. What is left out is as on the page when it opens.
 
-import { plainFrame, type Layer, type Registry } from '../engine/types';
-import { layers, mostSide, type Linked, type Wall } from './link';
-import { centreOf, exercises, notFollowing, type Choice, type Exercise, type Place, type Recipe } from './state';
+import { plainFrame, type FieldInfo, type Layer, type Registry } from '../engine/types';
+import { fieldsIn, layers, mostSide, type Linked, type Wall } from './link';
+import { centreOf, exercises, fieldsOfThePage, notFollowing, type Choice, type Exercise, type Place, type Recipe } from './state';
 
 /** The names that such a link may have. */
-export const queryNames = [
-  'map', 'size', 'seed', 'wall', 'start', 'goal', 'planner', 'robot', 'escape', 'closest', 'layer', 'pace', 'exercise', 'step',
-] as const;
+export function queryNames(registry: Registry): string[] {
+  return [
+    'map', 'size', 'seed', 'wall', 'start', 'goal', 'planner', 'robot', 'layer', 'pace', 'exercise', 'step',
+    ...settable(registry.robotFields), ...settable(registry.requestFields),
+  ];
+}
+
+const settable = (fields: readonly FieldInfo[]): string[] =>
+  fields.map(({ name }) => name).filter((name) => !fieldsOfThePage.has(name));
 
 export const isQueryLink = (text: string): boolean => /^[a-z]+=/.test(text);
 
@@ -16,7 +22,7 @@ export const isQueryLink = (text: string): boolean => /^[a-z]+=/.test(text);
 export function readQueryLink(text: string, registry: Registry): Linked {
   const fields = new URLSearchParams(text);
   for (const name of fields.keys()) {
-    if (!(queryNames as readonly string[]).includes(name)) throw new Error(`it has an unknown part: ${name.slice(0, 40)}`);
+    if (!queryNames(registry).includes(name)) throw new Error(`it has an unknown part: ${name.slice(0, 40)}`);
   }
   const recipe = recipeIn(fields, registry);
   const { width, height } = recipe;
@@ -36,7 +42,7 @@ export function readQueryLink(text: string, registry: Registry): Linked {
     ...(start ? { start } : {}), ...(goal ? { goal } : {}),
     runs: (planners.length > 0 ? planners : usual).map((spec) => choiceIn(spec, registry)),
     footprint: fields.get('robot') ?? 'point', smoother: '', headings: false, arrows: false,
-    escape: lengthIn('escape', fields.get('escape') ?? '0'), closest: flagIn('closest', fields.get('closest')),
+    robotFields: fieldsFrom(fields, registry.robotFields), requestFields: fieldsFrom(fields, registry.requestFields),
     layer: oneOf<Layer>('layer', layers, fields.get('layer') ?? ''),
     pace: oneOf('pace', ['expansions', 'time'] as const, fields.get('pace') ?? 'expansions'),
     exercise, following: notFollowing, widest: false, breakPoint: null,
@@ -112,16 +118,11 @@ function wholeIn(name: string, text: string, least: number, most: number): numbe
   return number;
 }
 
-function lengthIn(name: string, text: string): number {
-  const length = /^\d{1,9}(\.\d{1,9})?$/.test(text) ? Number(text) : NaN;
-  if (Number.isNaN(length)) throw new Error(`its ${name} is not a number of at least 0`);
-  return length;
-}
-
-/** An attribute of an element may stand alone. */
-function flagIn(name: string, text: string | null): boolean {
-  if (text !== null && !['', 'true', 'false'].includes(text)) throw new Error(`its ${name} is neither true nor false`);
-  return text !== null && text !== 'false';
+/** The fields of the registry that a link names. A flag may stand alone, as an attribute of an element may. */
+function fieldsFrom(fields: URLSearchParams, known: readonly FieldInfo[]): Record<string, string> {
+  const given = known.filter(({ name }) => settable(known).includes(name) && fields.has(name))
+    .map(({ name, kind }) => [name, fields.get(name) || (kind === 'flag' ? 'true' : '')]);
+  return fieldsIn(Object.fromEntries(given), known);
 }
 
 function oneOf<Value extends string>(name: string, values: readonly Value[], value: string): Value {

@@ -64,10 +64,9 @@ export interface State {
   smoother: string;
   /** Does the heading of the goal count? */
   headings: boolean;
-  /** The longest way out of a blocked start, in units of the footprint; 0: none. */
-  escape: number;
-  /** Does a path end at the closest place if none reaches the goal? */
-  closest: boolean;
+  /** What else is set of the robot, and of the request: fields of the registry, with lengths in units of the footprint. */
+  robotFields: Record<string, string>;
+  requestFields: Record<string, string>;
   layer: Layer;
   arrows: boolean;
   tool: Tool;
@@ -92,8 +91,8 @@ export const initialState: State = {
   footprint: 'point',
   smoother: '',
   headings: false,
-  escape: 0,
-  closest: false,
+  robotFields: {},
+  requestFields: {},
   layer: '',
   arrows: false,
   tool: 'wall',
@@ -105,6 +104,14 @@ export const initialState: State = {
   widest: false,
   breakPoint: null,
 };
+
+/** Fields that the page sets by itself: the robot's shape, ends that it moves, its patience; and those that only a program needs. */
+export const fieldsOfThePage: ReadonlySet<string> = new Set(['robot_radius', 'nearest', 'nearest_limit', 'time_limit', 'keep', 'explain', 'from_field']);
+
+/** May a path begin with a way out of a blocked start? */
+export const leadsOut = ({ requestFields }: State): boolean => Number(requestFields['escape'] ?? 0) > 0;
+/** Does a path end at the closest place if none reaches the goal? */
+export const endsAtClosest = ({ requestFields }: State): boolean => requestFields['closest'] === 'true';
 
 /** "astar:weight=2,heuristic=euclidean", as the command line takes it. */
 export function specOf(name: string, options: Record<string, string>): string {

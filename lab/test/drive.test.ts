@@ -55,14 +55,14 @@ test('a disc of the widest radius gets through, and a larger one does not', asyn
     const [start, goal] = [{ x: 1.5, y: 1.5, heading: 0 }, { x: 18.5, y: 13.5, heading: 0 }];
     for (const [x, y] of [[1, 1], [18, 13]] as const) cells[y * 20 + x] = 1;
     good(engine.load(cells, 20, 15, plainFrame));
-    good(engine.robot('point', 0, 4, false));
+    good(engine.robot('point'));
     const found = engine.plan({ planner: 'astar', record: false, headings: false, start, goal });
     const widest = good(engine.widest(start, goal));
     expect(widest.joined, `seed ${seed}`).toBe(good(found).status === 'found');
     if (!widest.joined || widest.radius === null || widest.radius === 0) continue;
     ++joined;
     for (const [factor, status] of [[0.999, 'found'], [1.001, 'not']] as const) {
-      good(engine.robot(`disc:${widest.radius * factor}`, 0, 4, false));
+      good(engine.robot(`disc:${widest.radius * factor}`));
       const plan = engine.plan({ planner: 'astar', record: false, headings: false, start, goal });
       expect(good(plan).status === 'found', `seed ${seed}, ${status}`).toBe(status === 'found');
     }

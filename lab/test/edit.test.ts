@@ -29,7 +29,7 @@ describe('edits', () => {
       const cells = Uint8Array.from({ length: width * height }, byte);
       good(edited.load(cells, width, height, plainFrame));
       const robot = seed % 2 === 0 ? 'disc:1.3' : 'point';
-      for (const engine of [edited, loaded]) good(engine.robot(robot, 0, 4, false));
+      for (const engine of [edited, loaded]) good(engine.robot(robot));
       for (let stroke = 0; stroke < 4; ++stroke) {
         const indices = Array.from({ length: 1 + below(9) }, () => below(cells.length));
         const bytes = indices.map(byte);
@@ -81,7 +81,7 @@ describe('a robot', () => {
     const made = good(engine.generate('car_park', 203, 147, 3));
     const polygon = [[1, 0.6], [1, -0.6], [-1, -0.6], [-1, 0.6]]
       .map(([x, y]) => `${x! * made.resolution},${y! * made.resolution}`).join('; ');
-    good(engine.robot(polygon, 0, 4, false));
+    good(engine.robot(polygon));
     for (const [planner, headings] of [['hybrid_astar', true], ['astar', false]] as const) {
       const corners = { start: { x: 0.5, y: 0.5, heading: 0 }, goal: { x: 202.5, y: 146.5, heading: 0 } };
       expect(engine.plan({ ...task(planner, 203, 147), ...corners })).toMatchObject({ status: expect.stringMatching(/blocked/) });

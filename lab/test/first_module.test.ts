@@ -24,8 +24,8 @@ test('maps and searches are the same', () => {
       for (const [seed, footprint] of [[1, 'point'], [2, 'disc:0.6'], [3, 'point'], [4, 'disc:0.4']] as const) {
         for (const engine of [first, whole]) good(engine.generate(generator, 41, 27, seed));
         expect(first.cells()).toEqual(whole.cells());
-        for (const engine of [first, whole]) good(engine.robot(footprint, 0, 4, false));
-        const task = { planner, record: true, headings: false, nearest: true,
+        for (const engine of [first, whole]) good(engine.robot(footprint));
+        const task = { planner, record: true, headings: false, fields: { nearest: 'true' },
           start: { x: 1.5, y: 1.5, heading: 0 }, goal: { x: 39.5, y: 25.5, heading: 0 } };
         const [one, other] = [first.plan(task), whole.plan(task)];
         expect({ ...one, seconds: 0 }).toEqual({ ...other, seconds: 0 });

@@ -82,13 +82,13 @@ async function both(planner: PlannerInfo, each: Case, name: string) {
   const { frame, escape, closest } = each;
   good(engine.load(each.cells, each.width, each.height, frame));
   const unit = frame.metric ? frame.resolution : 1;
-  good(engine.robot(each.radius > 0 ? `disc:${each.radius * unit}` : 'point', 0, 4, false));
+  good(engine.robot(each.radius > 0 ? `disc:${each.radius * unit}` : 'point'));
   const middle = planner.onVertices && !frame.metric ? 0 : 0.5;
   const place = ([x, y]: [number, number]) => ({ x: x + middle, y: y + middle, heading: 0 });
   const leaps = planner.options.some((option) => option.name === 'leaps');
   const task: Task = {
     planner: planner.name + (leaps ? ':leaps=false' : ''), record: false, headings: false, start: place(each.start), goal: place(each.goal),
-    escape: escape * unit, closest,
+    fields: { escape: String(escape * unit), closest: String(closest) },
   };
   const outcome = good(engine.plan(task));
   const typed = ([x, y]: [number, number]) =>
@@ -171,11 +171,11 @@ describe('where the robot cannot be', () => {
 
   test('a way out is the beginning of the path, in words too', async () => {
     good(engine.load(Uint8Array.from('........####....', (letter) => (letter === '#' ? 0 : 1)), 16, 1, plainFrame));
-    good(engine.robot('point', 0, 4, false));
+    good(engine.robot('point'));
     const task: Task = { planner: 'astar', record: false, headings: false, start: { x: 9.5, y: 0.5, heading: 0 }, goal: { x: 1.5, y: 0.5, heading: 0 } };
     expect(good(engine.plan(task))).toMatchObject({ status: 'start_blocked', message: expect.stringContaining('a longest way out of 2 lets the robot leave it') });
-    expect(good(engine.plan({ ...task, escape: 1 }))).toMatchObject({ status: 'start_blocked', message: expect.stringContaining('longer than the 1 cell allowed') });
-    const outcome = good(engine.plan({ ...task, escape: 2 }));
+    expect(good(engine.plan({ ...task, fields: { escape: '1' } }))).toMatchObject({ status: 'start_blocked', message: expect.stringContaining('longer than the 1 cell allowed') });
+    const outcome = good(engine.plan({ ...task, fields: { escape: '2' } }));
     expect(outcome).toMatchObject({ status: 'found', cost: 6, wayOut: { metres: 2, text: '2 cells' }, wayOutPoints: 3 });
     expect([...outcome.path].filter((_, i) => i % 3 === 0)).toEqual([9.5, 8.5, 7.5, 6.5, 5.5, 4.5, 3.5, 2.5, 1.5]);
     expect(outcome.notes).toEqual(['the start (9,0) is blocked: the cell is an obstacle; the path begins with a way out of 2 cells, to cell (7,0)']);
@@ -187,7 +187,7 @@ describe('where the robot cannot be', () => {
 
   test('an end that moves is told', async () => {
     good(engine.load(new Uint8Array(100).fill(1), 10, 10, metres));
-    good(engine.robot('point', 0, 4, false));
+    good(engine.robot('point'));
     const end = (x: number, y: number) => ({ x, y, heading: 0.5 });
     const car = good(engine.plan({ planner: 'car', record: false, headings: false, start: end(2.5, 3), goal: end(7, 7) }));
     expect(car.notes).toContain("the path's ends: the start 0.05 m and 28.6 degrees from what was asked");
@@ -196,8 +196,8 @@ describe('where the robot cannot be', () => {
   });
 
   test('lengths that are not are refused', () => {
-    for (const escape of [-1, NaN]) {
-      expect(engine.plan({ planner: 'astar', record: false, headings: false, start: { x: 1, y: 1, heading: 0 }, goal: { x: 2, y: 2, heading: 0 }, escape }))
+    for (const escape of ['-1', 'NaN', '']) {
+      expect(engine.plan({ planner: 'astar', record: false, headings: false, start: { x: 1, y: 1, heading: 0 }, goal: { x: 2, y: 2, heading: 0 }, fields: { escape } }))
         .toMatchObject({ status: 'invalid_option' });
     }
   });

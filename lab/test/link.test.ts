@@ -36,7 +36,8 @@ function stateOf(seed: number): State {
     layer: pick(['', 'g', 'cost'] as const), pace: pick(['expansions', 'time'] as const), exercise: pick(['', 'next'] as const),
     following: pick([notFollowing, { controller: 'pid:heading_gain=2', robot: 'robot:speed=1', simulation: 'simulation' }]),
     widest: random() < 0.5, breakPoint: pick([null, { x: 3, y: 4 }]),
-    escape: pick([0, 0.25, 3]), closest: random() < 0.5, footprint: pick(['point', 'disc:0.3']), smoother: pick(['', 'gradient:beta=0.4']),
+    robotFields: pick([{}, { clearance_distance: '0.5', unknown: 'free' }]),
+    requestFields: pick([{}, { escape: '0.25' }, { closest: 'true', goal_tolerance: '3' }]), footprint: pick(['point', 'disc:0.3']), smoother: pick(['', 'gradient:beta=0.4']),
   };
 }
 
@@ -55,7 +56,7 @@ describe('links', () => {
         name: state.map!.name, frame: state.map!.frame, start: state.start, goal: state.goal, runs: state.runs,
         footprint: state.footprint, smoother: state.smoother, headings: state.headings, layer: state.layer,
         arrows: state.arrows, pace: state.pace, exercise: state.exercise, step: seed,
-        escape: state.escape, closest: state.closest, following: state.following, widest: state.widest, breakPoint: state.breakPoint,
+        robotFields: state.robotFields, requestFields: state.requestFields, following: state.following, widest: state.widest, breakPoint: state.breakPoint,
       });
       expect(cellsOf(linked, state.map!.original), `seed ${seed}`).toEqual(state.map!.cells);
     }
@@ -96,7 +97,9 @@ describe('links', () => {
   };
 
   test('are read field by field', () => {
-    expect(readLink(coded(head), registry), 'from before there were ways out').toMatchObject({ width: 1, escape: 0, closest: false });
+    expect(readLink(coded(head), registry), 'from before there were fields').toMatchObject({ width: 1, robotFields: {}, requestFields: {} });
+    expect(readLink(coded({ ...head, escape: 1.5, closest: true }), registry), 'from when it had two of them')
+      .toMatchObject({ requestFields: { escape: '1.5', closest: 'true' } });
     const wrong: [unknown, RegExp][] = [
       [null, /missing/], [{ ...head, v: 2 }, /version/], [{ ...head, width: 1e9 }, /width/], [{ ...head, height: 0.5 }, /height/],
       [{ ...head, width: 2 }, /cut off/], [{ ...head, runs: [] }, /no planner/], [{ ...head, runs: Array(5).fill(head.runs[0]) }, /too many/],
@@ -105,23 +108,27 @@ describe('links', () => {
       [{ ...head, runs: [{ planner: 'astar', options: { weight: '1,x=2' } }] }, /invalid value/],
       [{ ...head, start: { x: null, y: 0, heading: 0 } }, /number/], [{ ...head, layer: 'z' }, /unknown choice/],
       [{ ...head, frame: { ...plainFrame, resolution: 0 } }, /resolution/], [{ ...head, recipe: { generator: 'x' } }, /kind of map/],
-      [{ ...head, escape: -1 }, /way out/], [{ ...head, escape: '1' }, /number/], [{ ...head, escape: 1e300 }, /too large/],
+      [{ ...head, escape: -1 }, /escape is not a number/], [{ ...head, escape: '1' }, /number/], [{ ...head, escape: 1e300 }, /too large/],
+      [{ ...head, requestFields: { escape: '-1' } }, /escape is not a number/], [{ ...head, requestFields: { x: '1' } }, /unknown option: x/],
+      [{ ...head, robotFields: { clearance_cost: '1000001' } }, /clearance_cost is not a number.* at most 1000000/], [{ ...head, robotFields: { unknown: 'x' } }, /unknown is none of/],
+      [{ ...head, requestFields: { closest: 'yes' } }, /neither true nor false/], [{ ...head, requestFields: { expansions: '0.5' } }, /expansions is not a number/],
     ];
     for (const [each, reason] of wrong) expect(readLink(coded(each), registry), JSON.stringify(each)).toMatch(reason);
   });
 
   test('are written by hand too', () => {
     const text = 'map=random:density=0&size=24x14&seed=2&wall=10,2,10,9&start=3,4&goal=20,7&planner=astar:weight=2,heuristic=zero&planner=bfs' +
-      '&layer=g&pace=time&robot=disc:0.4&step=7&escape=1.5&closest=true';
+      '&layer=g&pace=time&robot=disc:0.4&step=7&escape=1.5&closest=true&clearance_distance=2';
     expect(readLink(text, registry)).toMatchObject({
       name: 'random, seed 2', width: 24, height: 14, recipe: { generator: 'random', options: { density: '0' }, width: 24, height: 14, seed: 2 },
-      walls: [[10, 2, 10, 9]], start: { x: 3.5, y: 4.5 }, goal: { x: 20.5, y: 7.5 }, layer: 'g', pace: 'time', footprint: 'disc:0.4', step: 7, escape: 1.5, closest: true,
+      walls: [[10, 2, 10, 9]], start: { x: 3.5, y: 4.5 }, goal: { x: 20.5, y: 7.5 }, layer: 'g', pace: 'time', footprint: 'disc:0.4', step: 7,
+      robotFields: { clearance_distance: '2' }, requestFields: { escape: '1.5', closest: 'true' },
       runs: [{ planner: 'astar', options: { weight: '2', heuristic: 'zero' } }, { planner: 'bfs', options: {} }],
     });
     expect(readLink('exercise=next', registry)).toMatchObject({ exercise: 'next', step: 1, runs: [{ planner: 'astar' }], width: 41 });
-    expect(readLink('map=rooms', registry)).toMatchObject({ escape: 0, closest: false });
-    expect(readLink('closest=', registry), 'an attribute alone').toMatchObject({ closest: true });
-    expect(readLink('closest=false', registry)).toMatchObject({ closest: false });
+    expect(readLink('map=rooms', registry)).toMatchObject({ robotFields: {}, requestFields: {} });
+    expect(readLink('closest=', registry), 'an attribute alone').toMatchObject({ requestFields: { closest: 'true' } });
+    expect(readLink('closest=false', registry)).toMatchObject({ requestFields: { closest: 'false' } });
     expect(readLink('exercise=greedy', registry)).toMatchObject({ runs: [{ planner: 'greedy' }, { planner: 'astar' }], step: null });
   });
 
@@ -133,6 +140,7 @@ describe('links', () => {
       ['start=50,2', /start is not on the map/], ['goal=1', /goal must be 2/], ['wall=1,1,0,1', /wall 1,1,0,1/], ['wall=1,1,99,1', /not on the map/],
       ['layer=x', /layer is unknown/], ['exercise=x', /exercise is unknown/], ['pace=x', /pace is unknown/], ['step=x', /its step/],
       ['escape=-1', /escape is not a number/], ['escape=1e9', /escape is not a number/], ['escape=', /escape is not a number/], ['closest=1', /neither true nor false/],
+      ['unknown=x', /unknown is none of/], ['nearest=true', /unknown part: nearest/],
     ];
     for (const [text, reason] of wrong) expect(readLink(text, registry), text).toMatch(reason);
   });

@@ -12,17 +12,18 @@ const walled = 'map=random:density=0&size=24x14&wall=3,3,8,8&start=6,6&goal=18,6
 async function open(link: string): Promise<void> {
   await page.goto('about:blank');
   await page.goto(`${opened.address}#${link}`);
-  await page.getByLabel(/^Longest way out/).waitFor();
+  await page.getByText('What is asked').click();
+  await page.getByLabel(/^Escape/).waitFor();
 }
 
 describe('the page', () => {
   test('leads out of a blocked start and ends at the closest place, if it is asked to', async () => {
     await open(walled);
     await page.getByText(/^the start \(6,6\) is blocked: the cell is an obstacle.* a longest way out of/).first().waitFor();
-    await page.getByLabel('Longest way out of a blocked start, in cells').fill('3');
-    await page.getByLabel('Longest way out of a blocked start, in cells').press('Enter');
+    await page.getByLabel('Escape, cells').fill('3');
+    await page.getByLabel('Escape, cells').press('Enter');
     await page.getByText(/no path from start/).first().waitFor();
-    await page.getByLabel('End at the closest place if no path reaches the goal').check();
+    await page.getByLabel('Closest').check();
     await page.getByText('No path reaches the goal cell (18,6); planning to the closest reachable place cell (14,6), 4 cells away.', { exact: true }).waitFor();
     await page.getByText('The start (6,6) is blocked: the cell is an obstacle; the path begins with a way out of 3 cells, to cell (9,6).', { exact: true }).waitFor();
     expect(await result('Way out')).toBe('3 cells');
@@ -48,7 +49,7 @@ describe('the page', () => {
     await page.getByText(/^astar: found a path/).waitFor({ state: 'attached' });
     expect(await result('Cost')).toBe(cost);
     expect(await result('Way out')).toBe('3 cells');
-    expect(await page.getByLabel('End at the closest place if no path reaches the goal').isChecked()).toBe(true);
+    expect(await page.getByLabel('Closest').isChecked()).toBe(true);
   });
 
   test('tells by how much ends move for another robot, and leaves those that a path may lead out of', async () => {

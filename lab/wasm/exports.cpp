@@ -37,29 +37,25 @@ WEND_LAB_EXPORT(edit) void lab_edit(std::size_t count) {
   output() = lab().edit({reinterpret_cast<const CellByte*>(input().data()), count});
 }
 
-WEND_LAB_EXPORT(robot)
-void lab_robot(std::size_t text, double distance, double cost, bool unknown_free) {
-  output() = lab().set_robot(input_text(0, text), distance, cost, unknown_free);
+/// The input has the footprint, then the fields.
+WEND_LAB_EXPORT(robot) void lab_robot(std::size_t footprint, std::size_t fields) {
+  output() = lab().set_robot(input_text(0, footprint), input_text(footprint, fields));
 }
 
-/// The input has the planner, then the smoother.
+/// The input has the planner, then the smoother, then the fields.
 WEND_LAB_EXPORT(plan)
-void lab_plan(std::size_t planner, std::size_t smoother, double start_x, double start_y,
-              double start_heading, double goal_x, double goal_y, double goal_heading,
-              bool headings, bool record, bool nearest, bool closest, double escape,
-              double expansions, double seconds) {
-  const std::string names(input_text(0, planner + smoother));
+void lab_plan(std::size_t planner, std::size_t smoother, std::size_t fields, double start_x,
+              double start_y, double start_heading, double goal_x, double goal_y,
+              double goal_heading, bool headings, bool record) {
+  const std::string words(input_text(0, planner + smoother + fields));
+  const std::string_view text = words;
   output() = lab().plan({.start = {start_x, start_y, start_heading},
                          .goal = {goal_x, goal_y, goal_heading},
                          .headings = headings,
                          .record = record,
-                         .nearest = nearest,
-                         .closest = closest,
-                         .escape = escape,
-                         .expansions = expansions,
-                         .seconds = seconds,
-                         .planner = std::string_view(names).substr(0, planner),
-                         .smoother = std::string_view(names).substr(planner)});
+                         .planner = text.substr(0, planner),
+                         .fields = text.substr(planner + smoother),
+                         .smoother = text.substr(planner, smoother)});
 }
 
 WEND_LAB_EXPORT(places)

@@ -8,11 +8,14 @@
 #include "lab/wasm/answers.hpp"
 #include "lab/wasm/cells.hpp"
 #include "lab/wasm/drawn_points.hpp"
+#include "lab/wasm/field_text.hpp"
 #include "lab/wasm/json.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/path/smoothing/smoother.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/robot_fields.hpp"
+#include "wend/session/request_fields.hpp"
 
 namespace wend::lab {
 namespace {
@@ -100,14 +103,15 @@ std::string Lab::edit(std::span<const CellByte> changes) {
   return map_text();
 }
 
-std::string Lab::set_robot(std::string_view footprint, double clearance_distance,
-                           double clearance_cost, bool unknown_free) {
+std::string Lab::set_robot(std::string_view footprint, std::string_view fields) {
   const auto parsed = parse_footprint(footprint);
   if (!parsed) return error_text(parsed.error());
-  session_.set_robot({.footprint = *parsed,
-                      .unknown = unknown_free ? UnknownPolicy::free : UnknownPolicy::blocked,
-                      .clearance_distance = clearance_distance,
-                      .clearance_cost = clearance_cost});
+  FreeSpaceOptions robot;
+  if (const auto fault = put_fields(fields, "robot", robot_fields(), frame_.resolution, robot)) {
+    return error_text(*fault);
+  }
+  robot.footprint = *parsed;
+  session_.set_robot(robot);
   forget_search();
   const auto view = session_.view();
   if (!view && view.error().status == Status::invalid_option) return error_text(view.error());
@@ -158,12 +162,11 @@ std::string Lab::plan(const Task& task) {
   request.goals = {{.point = {goal.x, goal.y}}};
   if (task.headings) request.goals.front().heading = goal.heading;
   request.planner = task.record ? without_leaps(*std::move(spec)) : *std::move(spec);
-  request.nearest = task.nearest;
   request.nearest_limit = std::numeric_limits<double>::infinity();  // the page shows where to
-  request.closest = task.closest;
-  request.escape = task.escape;
-  if (task.expansions > 0) request.limits.expansions = static_cast<std::uint64_t>(task.expansions);
-  if (task.seconds > 0) request.limits.seconds = task.seconds;
+  if (const auto fault =
+          put_fields(task.fields, "request", request_fields(), frame_.resolution, request)) {
+    return error_text(*fault);
+  }
   if (!task.smoother.empty()) {
     const auto smoother = spec_of(task.smoother, "smoother", smoothers().names());
     if (!smoother) return error_text(smoother.error());
@@ -188,7 +191,7 @@ std::string Lab::plan(const Task& task) {
   put_solutions();
   std::size_t lead_points = 0;
   if (answer->lead_out) {
-    escape_ = task.escape;
+    escape_ = request.escape;
     lead_points = drawn_points(lead_of(*path_, answer->lead_out->points)).size() / kNumbersOfPoint;
   }
   return plan_text(*answer, replay_.steps(), solutions_, lead_points);

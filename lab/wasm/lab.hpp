@@ -31,12 +31,8 @@ struct Task {
   Pose goal;                  // grid coordinates
   bool headings;              // of the goal count
   bool record;                // for a replay
-  bool nearest;               // moves blocked ends
-  bool closest;               // ends at the closest place if no path reaches the goal
-  double escape;              // m: the longest way out of a blocked start; 0: none
-  double expansions;          // the most; 0: no limit
-  double seconds;             // the most; 0: no limit
   std::string_view planner;   // "astar:weight=2"
+  std::string_view fields;    // "request:escape=3"
   std::string_view smoother;  // "gradient:..."; empty: none
 };
 
@@ -48,9 +44,8 @@ class Lab {
   std::string generate(std::string_view spec, int width, int height, std::uint64_t seed);
   /// Changes cells.
   std::string edit(std::span<const CellByte> changes);
-  /// "point", "disc:0.3" or a polygon in metres, and the distance and cost of clearance.
-  std::string set_robot(std::string_view footprint, double clearance_distance,
-                        double clearance_cost, bool unknown_free);
+  /// "point", "disc:0.3" or a polygon in metres, and "robot:clearance_cost=3".
+  std::string set_robot(std::string_view footprint, std::string_view fields);
 
   /// Plans; points() then has the path, and behind it those of the solutions of an anytime planner, if `record`.
   std::string plan(const Task& task);

@@ -5,22 +5,33 @@
 #include "wend/generate/generators.hpp"
 #include "wend/path/smoothing/smoother.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/robot_fields.hpp"
+#include "wend/session/request_fields.hpp"
 #include "wend/version.hpp"
 
 namespace wend::lab {
 namespace {
 
-void write(Json& json, const OptionInfo& option) {
+void write(Json& json, const OptionInfo& option, std::string_view unit = {}) {
   json.object()
       .field("name", option.name)
       .field("kind", to_string(option.kind))
       .field("default", option.default_value)
       .field("help", option.help)
+      .field("unit", unit)
       .field("least", option.least)
       .field("greatest", option.greatest);
   json.key("choices").array();
   for (const std::string& choice : option.choices) json.value(choice);
   json.end_array().end_object();
+}
+
+/// A list of fields: options with a unit.
+template <class Target>
+void write(Json& json, std::string_view name, std::span<const Field<Target>> fields) {
+  json.key(name).array();
+  for (const Field<Target>& field : fields) write(json, field.info.option(), field.info.unit);
+  json.end_array();
 }
 
 void write(Json& json, const std::vector<OptionInfo>& options) {
@@ -94,7 +105,10 @@ std::string registry_text() {
   for (const SmootherInfo& smoother : smoothers()) write(json, smoother);
   json.end_array().key("controllers").array();
   for (const ControllerInfo& controller : controllers()) write(json, controller);
-  json.end_array().end_object();
+  json.end_array();
+  write(json, "robotFields", robot_fields());
+  write(json, "requestFields", request_fields());
+  json.end_object();
   return json.text();
 }
 
