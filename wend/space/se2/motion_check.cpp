@@ -50,12 +50,14 @@ class Middles {
     const Pose second = pose_after(from, part_of(piece, 1.5));
     step_ = {second.x - first.x, second.y - first.y};
     turn_ = sine_and_cosine(piece.turn);
+    straight_ = piece.turn == 0;
   }
 
   const Point& point() const { return point_; }
 
   void go_on() {
     point_ = {point_.x + step_.x, point_.y + step_.y};
+    if (straight_) return;
     step_ = {turn_.cosine * step_.x - turn_.sine * step_.y,
              turn_.sine * step_.x + turn_.cosine * step_.y};
   }
@@ -64,6 +66,7 @@ class Middles {
   Point point_;
   Point step_;
   SineCosine turn_;
+  bool straight_;
 };
 
 }  // namespace
@@ -74,6 +77,7 @@ MotionCheck::MotionCheck(const FreeSpace& space)
       circumscribed_(space.radius_in_cells()),
       spin_(space.outline() != nullptr ? circumscribed_ : 0),
       known_(known_distance(space)),
+      costs_its_length_(space.uniform_terrain() && space.robot().clearance_distance == 0),
       plain_room_(plain_room(space)) {
   if (space.outline() != nullptr && known_ > 0) {
     clearance_ = OutlineClearance(space, *space.outline());
@@ -86,7 +90,7 @@ int MotionCheck::pieces_of(const Motion& motion) const {
 }
 
 double MotionCheck::room_at(Point point) const {
-  const Cell cell = nearest_cell(space_, point);  // the point may lie on the edge of the map
+  const Cell cell = on_map(point) ? cell_on_map(point) : nearest_cell(space_, point);
   if (known_ == 0) {
     return near_clearance(space_, cell) - circumscribed_ -
            straight_distance(point, centre_of(cell));
@@ -107,7 +111,7 @@ double MotionCheck::cost_of_way(const Pose& from, const Motion& motion) const {
   Middles middles(from, motion, pieces);
   double sum = 0;
   for (int i = 0; i < pieces; ++i, middles.go_on()) {
-    if (on_map(middles.point())) sum += driving_multiplier(space_, cell_at(middles.point()));
+    if (on_map(middles.point())) sum += multiplier_at(middles.point());
   }
   return sum * std::abs(motion.length) / pieces;
 }
@@ -121,42 +125,42 @@ double MotionCheck::cost(const Pose& from, const Motion& motion) const {
   const double piece = (std::abs(motion.length) + spin_ * std::abs(motion.turn)) / pieces;
   Middles middles(from, motion, pieces);
   double sum = 0;
-  int free_until = 0;   // the first piece that is not known to be free
-  int plain_until = 0;  // the first one that may cost more than its length
-  for (int i = 0; i < pieces; ++i, middles.go_on()) {
+  for (int i = 0; i < pieces;) {
     const Point point = middles.point();
-    if (i < plain_until) {
-      sum += 1;
-      continue;
-    }
     if (!on_map(point)) return kBlocked;
-    const Cell cell = cell_at(point);
-    if (i >= free_until) {
-      const double room = room_at(point);
-      if (room >= piece / 2) {
-        free_until = i + 1 + pieces_within(room, piece);
-        if (room > plain_room_) plain_until = i + 1 + pieces_within(room - plain_room_, piece);
-      } else if (const double around =
-                     room_around(pose_after(from, part_of(motion, (i + 0.5) / pieces)));
-                 around >= piece / 2 + kSure) {
-        free_until = i + 1 + pieces_within(around - kSure, piece);
-      } else if (!piece_fits(pose_after(from, part_of(motion, static_cast<double>(i) / pieces)),
-                             part_of(motion, 1.0 / pieces), piece / 2)) {
-        return kBlocked;
-      }
+    int free_until = i + 1;   // the first piece that is not known to be free
+    int plain_until = i + 1;  // the first one that may cost more than its length
+    const double room = room_at(point);
+    if (room >= piece / 2) {
+      free_until += pieces_within(room, piece);
+      if (room > plain_room_) plain_until += pieces_within(room - plain_room_, piece);
+    } else if (const double around =
+                   room_around(pose_after(from, part_of(motion, (i + 0.5) / pieces)));
+               around >= piece / 2 + kSure) {
+      free_until += pieces_within(around - kSure, piece);
+    } else if (!piece_fits(pose_after(from, part_of(motion, static_cast<double>(i) / pieces)),
+                           part_of(motion, 1.0 / pieces), piece / 2)) {
+      return kBlocked;
     }
-    sum += driving_multiplier(space_, cell);
+    sum += multiplier_at(point);
+    middles.go_on();
+    ++i;
+    for (const int end = std::min(plain_until, pieces); i < end; ++i, middles.go_on()) sum += 1;
+    for (const int end = std::min(free_until, pieces); i < end; ++i, middles.go_on()) {
+      if (!on_map(middles.point())) return kBlocked;
+      sum += multiplier_at(middles.point());
+    }
   }
   return sum * std::abs(motion.length) / pieces;
 }
 
 /// Far from the map's edge this is decided at once.
 bool MotionCheck::stays_on_map(const Pose& from, const Motion& motion) const {
-  const Pose to = pose_after(from, motion);
   const double way = std::abs(motion.length);
-  const double edge =
-      std::min(distance_inside(space_, from.point()), distance_inside(space_, to.point()));
-  if (edge >= way / 2) return true;
+  const double edge = distance_inside(space_, from.point());
+  if (edge >= way) return true;
+  const Pose to = pose_after(from, motion);
+  if (std::min(edge, distance_inside(space_, to.point())) >= way / 2) return true;
   return distance_inside(space_, segment_of(from, motion)) >= -kOverlapTolerance;
 }
 

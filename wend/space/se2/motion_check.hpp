@@ -29,6 +29,11 @@ inline double driving_multiplier(const FreeSpace& space, Cell cell) {
   return squeezed ? space.terrain(cell) * (1 + robot.clearance_cost) : space.terrain(cell);
 }
 
+/// The cell of a point on the map. Rounds towards zero, which is faster than down.
+inline Cell cell_on_map(Point point) {
+  return {static_cast<int>(point.x), static_cast<int>(point.y)};
+}
+
 class MotionCheck {
  public:
   static constexpr double kBlocked = std::numeric_limits<double>::infinity();
@@ -56,7 +61,13 @@ class MotionCheck {
  private:
   double room_around(const Pose& pose) const;
   int pieces_of(const Motion& motion) const;
-  bool on_map(Point point) const { return space_.contains(cell_at(point)); }
+  bool on_map(Point point) const {
+    return point.x >= 0 && point.y >= 0 && point.x < space_.width() && point.y < space_.height();
+  }
+  /// The driving multiplier at a point on the map.
+  double multiplier_at(Point point) const {
+    return costs_its_length_ ? 1 : driving_multiplier(space_, cell_on_map(point));
+  }
   bool stays_on_map(const Pose& from, const Motion& motion) const;
   bool piece_fits(const Pose& from, const Motion& motion, double half_reach) const;
   bool disc_fits(const Pose& from, const Motion& motion, const Pose& middle, double half_reach,
@@ -70,6 +81,7 @@ class MotionCheck {
   double circumscribed_;        // cells
   double spin_;                 // how far the farthest corner moves in a turn by a radian, in cells
   std::uint32_t known_;         // distances up to here are at hand, squared and in half-cells
+  bool costs_its_length_;       // does nothing cost more, anywhere?
   double plain_room_;  // with this room beside the robot, nothing costs more than its length
 };
 
