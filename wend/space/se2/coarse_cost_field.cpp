@@ -104,8 +104,8 @@ float CoarseCostField::key(std::uint32_t column, std::uint32_t row, float value)
   return value + std::sqrt(dx * dx + dy * dy);
 }
 
-void CoarseCostField::improve(std::uint32_t column, std::uint32_t row, std::uint32_t square,
-                              float value) {
+[[gnu::always_inline]] inline void CoarseCostField::improve(std::uint32_t column, std::uint32_t row,
+                                                            std::uint32_t square, float value) {
   const float before = values_[square];
   if (!(value < before * kWorthwhile)) return;
   if (before == kUnknown) touched_.push_back(square);
@@ -134,25 +134,9 @@ bool CoarseCostField::settle_next() {
   return false;
 }
 
-/// A neighbour that is as cheap gains nothing.
-void CoarseCostField::expand(const Waiting& from) {
-  const auto up = static_cast<std::uint32_t>(grid_.stride());
-  const std::uint32_t square = from.square;
-  const std::uint32_t row = square / up;
-  const std::uint32_t column = square - row * up;
-  const std::uint8_t sides = grid_.sides(square);
-  const auto spread = [&](std::uint8_t side, std::uint32_t x, std::uint32_t y,
-                          std::uint32_t neighbour) {
-    if ((sides & side) != 0 && values_[neighbour] > from.value) update(x, y, neighbour);
-  };
-  spread(CoarseGrid::kRight, column + 1, row, square + 1);
-  spread(CoarseGrid::kLeft, column - 1, row, square - 1);
-  spread(CoarseGrid::kAbove, column, row + 1, square + up);
-  spread(CoarseGrid::kBelow, column, row - 1, square - up);
-}
-
-/// Where there is no way to a neighbour, the square's own value stands for it: what follows from that is no gain.
-void CoarseCostField::update(std::uint32_t column, std::uint32_t row, std::uint32_t square) {
+/// The upwind solution for a square. Where there is no way to a neighbour, the square's own value stands for it: what
+/// follows from that is no gain.
+inline float CoarseCostField::updated(std::uint32_t square) const {
   const std::size_t up = grid_.stride();
   const std::uint8_t sides = grid_.sides(square);
   const auto value = [&](std::uint8_t side, std::size_t step) {
@@ -161,7 +145,30 @@ void CoarseCostField::update(std::uint32_t column, std::uint32_t row, std::uint3
   const float along =
       std::min(value(CoarseGrid::kRight, 1), value(CoarseGrid::kLeft, -std::size_t{1}));
   const float across = std::min(value(CoarseGrid::kAbove, up), value(CoarseGrid::kBelow, -up));
-  improve(column, row, square, upwind(along, across, grid_.multiplier(square) * size_));
+  return upwind(along, across, grid_.multiplier(square) * size_);
+}
+
+/// A neighbour that is as cheap gains nothing.
+void CoarseCostField::expand(const Waiting& from) {
+  struct Neighbour {
+    std::uint8_t side;
+    std::uint32_t right;
+    std::uint32_t up;
+  };
+  constexpr std::uint32_t kBack = -std::uint32_t{1};
+  constexpr std::array<Neighbour, 4> kNeighbours{{{CoarseGrid::kRight, 1, 0},
+                                                  {CoarseGrid::kLeft, kBack, 0},
+                                                  {CoarseGrid::kAbove, 0, 1},
+                                                  {CoarseGrid::kBelow, 0, kBack}}};
+  const auto stride = static_cast<std::uint32_t>(grid_.stride());
+  const std::uint32_t row = from.square / stride;
+  const std::uint32_t column = from.square - row * stride;
+  const std::uint8_t sides = grid_.sides(from.square);
+  for (const Neighbour& next : kNeighbours) {
+    const std::uint32_t square = from.square + next.right + next.up * stride;
+    if ((sides & next.side) == 0 || !(values_[square] > from.value)) continue;
+    improve(column + next.right, row + next.up, square, updated(square));
+  }
 }
 
 CoarseCostField::Value CoarseCostField::at(Point point) const {

@@ -78,7 +78,7 @@ class CoarseCostField {
   bool in_sight(int column, int row, int to_column, int to_row) const;
   void improve(std::uint32_t column, std::uint32_t row, std::uint32_t square, float value);
   void expand(const Waiting& from);
-  void update(std::uint32_t column, std::uint32_t row, std::uint32_t square);
+  float updated(std::uint32_t square) const;
   bool settle_next();
   void go_to_next_bucket();
   bool exhausted() const { return taken_ == bucket_.size() && queue_.empty(); }

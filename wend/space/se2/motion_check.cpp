@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wend/geometry/arc_distance.hpp"
+#include "wend/robot/cell_costs.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 #include "wend/robot/sweep/placed_polygon.hpp"
 #include "wend/robot/sweep/sweep.hpp"
@@ -82,6 +83,25 @@ MotionCheck::MotionCheck(const FreeSpace& space)
   if (space.outline() != nullptr && known_ > 0) {
     clearance_ = OutlineClearance(space, *space.outline());
   }
+  if (rows_.empty()) {
+    constexpr double kToCorner = 0.7072;  // from a cell's centre, or a bit more
+    const double far = circumscribed_ + kToCorner + kPiece / 2;
+    clear_ = static_cast<std::uint32_t>(std::min(std::ceil(4 * far * far), 4e9));
+  }
+  if (!costs_its_length_) list_prices();
+}
+
+/// On uniform terrain the distance of a cell tells what it costs, so that one look at the map is enough for both.
+void MotionCheck::list_prices() {
+  constexpr std::uint32_t kMostPrices = 1 << 14;
+  if (!space_.map().uniform_terrain() || known_ == 0 || known_ >= kMostPrices) return;
+  const Robot& robot = space_.robot();
+  const CellCosts costs(robot, space_.map().frame().resolution);
+  for (std::uint32_t squared = 0; squared <= known_ + 1; ++squared) {
+    const double multiplier = static_cast<double>(costs.steps(1, squared)) / CostMap::kOne;
+    prices_.push_back(space_.far_enough(squared) ? multiplier
+                                                 : multiplier * (1 + robot.clearance_cost));
+  }
 }
 
 int MotionCheck::pieces_of(const Motion& motion) const {
@@ -130,8 +150,9 @@ double MotionCheck::cost(const Pose& from, const Motion& motion) const {
     if (!on_map(point)) return kBlocked;
     int free_until = i + 1;   // the first piece that is not known to be free
     int plain_until = i + 1;  // the first one that may cost more than its length
-    const double room = room_at(point);
-    if (room >= piece / 2) {
+    if (space_.is_known_clear(cell_on_map(point), clear_)) {
+      // No branch here depends on how far it is clear, so that the next cells are read meanwhile.
+    } else if (const double room = room_at(point); room >= piece / 2) {
       free_until += pieces_within(room, piece);
       if (room > plain_room_) plain_until += pieces_within(room - plain_room_, piece);
     } else if (const double around =

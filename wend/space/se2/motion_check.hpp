@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "wend/geometry/pose.hpp"
 #include "wend/geometry/segment.hpp"
@@ -66,14 +67,20 @@ class MotionCheck {
   }
   /// The driving multiplier at a point on the map.
   double multiplier_at(Point point) const {
-    return costs_its_length_ ? 1 : driving_multiplier(space_, cell_on_map(point));
+    if (costs_its_length_) return 1;
+    const Cell cell = cell_on_map(point);
+    if (prices_.empty()) return driving_multiplier(space_, cell);
+    return prices_[space_.squared_half_cell_clearance(cell, known_ + 1)];
   }
+  void list_prices();
   bool stays_on_map(const Pose& from, const Motion& motion) const;
   bool piece_fits(const Pose& from, const Motion& motion, double half_reach) const;
   bool disc_fits(const Pose& from, const Motion& motion, const Pose& middle, double half_reach,
                  bool& decided) const;
   bool polygon_fits(const Pose& from, const Motion& motion, const Pose& middle, double half_reach,
                     bool& decided) const;
+
+  static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 
   FreeSpace space_;
   FootprintRows rows_;          // of a polygon
@@ -82,6 +89,9 @@ class MotionCheck {
   double spin_;                 // how far the farthest corner moves in a turn by a radian, in cells
   std::uint32_t known_;         // distances up to here are at hand, squared and in half-cells
   bool costs_its_length_;       // does nothing cost more, anywhere?
+  std::uint32_t clear_ =
+      kNever;  // a disc in the cells of this squared clearance is free on a whole piece
+  std::vector<double> prices_;  // driving multipliers by squared clearance, if nothing else counts
   double plain_room_;  // with this room beside the robot, nothing costs more than its length
 };
 
