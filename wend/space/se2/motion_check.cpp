@@ -123,7 +123,7 @@ double MotionCheck::room_at(Point point) const {
 /// The same for a convex polygon at a pose, so far that it is worth looking.
 double MotionCheck::room_around(const Pose& pose) const {
   constexpr double kMost = 16;  // cells
-  return clearance_.empty() ? 0 : clearance_.at(space_, pose, kMost);
+  return clearance_.at(space_, pose, kMost);
 }
 
 double MotionCheck::cost_of_way(const Pose& from, const Motion& motion) const {
@@ -155,13 +155,19 @@ double MotionCheck::cost(const Pose& from, const Motion& motion) const {
     } else if (const double room = room_at(point); room >= piece / 2) {
       free_until += pieces_within(room, piece);
       if (room > plain_room_) plain_until += pieces_within(room - plain_room_, piece);
-    } else if (const double around =
-                   room_around(pose_after(from, part_of(motion, (i + 0.5) / pieces)));
-               around >= piece / 2 + kSure) {
-      free_until += pieces_within(around - kSure, piece);
-    } else if (!piece_fits(pose_after(from, part_of(motion, static_cast<double>(i) / pieces)),
-                           part_of(motion, 1.0 / pieces), piece / 2)) {
-      return kBlocked;
+    } else {
+      const double around =
+          clearance_.empty() ? 0
+                             : room_around(pose_after(from, part_of(motion, (i + 0.5) / pieces)));
+      if (around >= piece / 2 + kSure) {
+        free_until += pieces_within(around - kSure, piece);
+      } else {
+        const Pose begin = pose_after(from, part_of(motion, static_cast<double>(i) / pieces));
+        const Motion part = part_of(motion, 1.0 / pieces);
+        const bool known_near = around > 0 && piece / 2 > kMargin - kSure;
+        if (!(known_near ? halves_fit(begin, part, piece / 2) : piece_fits(begin, part, piece / 2)))
+          return kBlocked;
+      }
     }
     sum += multiplier_at(point);
     middles.go_on();
@@ -188,13 +194,17 @@ bool MotionCheck::stays_on_map(const Pose& from, const Motion& motion) const {
 /// `from` is where the piece begins; no point of the robot is farther than half_reach from where it is at the
 /// middle.
 bool MotionCheck::piece_fits(const Pose& from, const Motion& motion, double half_reach) const {
-  const Motion half = part_of(motion, 0.5);
-  const Pose middle = pose_after(from, half);
+  const Pose middle = pose_after(from, part_of(motion, 0.5));
   bool decided = false;
   const bool fits = rows_.empty() ? disc_fits(from, motion, middle, half_reach, decided)
                                   : polygon_fits(from, motion, middle, half_reach, decided);
-  if (decided) return fits;
-  return piece_fits(from, half, half_reach / 2) && piece_fits(middle, half, half_reach / 2);
+  return decided ? fits : halves_fit(from, motion, half_reach);
+}
+
+bool MotionCheck::halves_fit(const Pose& from, const Motion& motion, double half_reach) const {
+  const Motion half = part_of(motion, 0.5);
+  return piece_fits(from, half, half_reach / 2) &&
+         piece_fits(pose_after(from, half), half, half_reach / 2);
 }
 
 bool MotionCheck::disc_fits(const Pose& from, const Motion& motion, const Pose& middle,

@@ -75,6 +75,7 @@ class MotionCheck {
   void list_prices();
   bool stays_on_map(const Pose& from, const Motion& motion) const;
   bool piece_fits(const Pose& from, const Motion& motion, double half_reach) const;
+  bool halves_fit(const Pose& from, const Motion& motion, double half_reach) const;
   bool disc_fits(const Pose& from, const Motion& motion, const Pose& middle, double half_reach,
                  bool& decided) const;
   bool polygon_fits(const Pose& from, const Motion& motion, const Pose& middle, double half_reach,
