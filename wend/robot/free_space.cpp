@@ -294,6 +294,11 @@ FreeSpaceOptions FreeSpace::options() const {
           .primitives = robot().primitives};
 }
 
+BitGrid FreeSpace::cells_clear_by(double least) const {
+  return cells_with_clearance(data_->obstacles, data_->distances,
+                              std::min<double>(least, kNoObstacle), DeadlineCheck::never());
+}
+
 double FreeSpace::clearance(Cell cell, double most) const {
   const double squared = std::ceil(4 * most * most);
   return distance_in_cells(squared_half_cell_clearance(

@@ -62,7 +62,8 @@ HybridPlanner::HybridPlanner(FreeSpace space, const HybridAStarOptions& options,
     : Planner(std::move(space)),
       options_(options),
       steering_(steering_for(free_space(), options)),
-      ground_(std::move(ground)) {}
+      ground_(std::move(ground)),
+      ring_(std::make_shared<GoalRing>(steering_)) {}
 
 std::unique_ptr<Planner> HybridPlanner::do_clone() const {
   return std::unique_ptr<HybridPlanner>(new HybridPlanner(free_space(), options_, ground_));
@@ -70,7 +71,9 @@ std::unique_ptr<Planner> HybridPlanner::do_clone() const {
 
 std::optional<Error> HybridPlanner::do_update(const SpaceChange& /*change*/) {
   HybridPlanner::do_release();
+  const double radius = steering_.radius();
   steering_ = steering_for(free_space(), options_);
+  if (steering_.radius() != radius) ring_ = std::make_shared<GoalRing>(steering_);
   ground_ = std::make_shared<const HybridGround>(free_space());
   return std::nullopt;
 }
@@ -193,8 +196,8 @@ Status HybridPlanner::do_plan(const Query& query, Plan& out) {
   if (!search_) {
     constexpr double kSpacing = 4;  // of the poses between which a drive is shortened, in steps
     const HybridResolution resolution = resolution_for(free_space(), steering_, options_);
-    search_ = std::make_unique<HybridPortfolio>(ground_, steering_, resolution,
-                                                HybridBudget{.seconds = options_.time_budget});
+    search_ = std::make_unique<HybridPortfolio>(
+        ground_, steering_, resolution, HybridBudget{.seconds = options_.time_budget}, ring_);
     shortener_ =
         std::make_unique<DriveShortener>(ground_->check(), steering_, kSpacing * resolution.step);
   }

@@ -49,6 +49,7 @@ class HybridPlanner final : public Planner {
   HybridAStarOptions options_;
   Steering steering_;
   std::shared_ptr<const HybridGround> ground_;
+  std::shared_ptr<GoalRing> ring_;  // does not depend on the map, so that it outlives edits
   std::unique_ptr<HybridPortfolio> search_;
   std::unique_ptr<DriveShortener> shortener_;
   DrivenMotions drive_;

@@ -47,13 +47,13 @@ constexpr std::array<HybridPortfolio::KindOfSearch, HybridPortfolio::kKinds>
 
 HybridPortfolio::HybridPortfolio(std::shared_ptr<const HybridGround> ground,
                                  const Steering& steering, const HybridResolution& resolution,
-                                 HybridBudget budget)
+                                 HybridBudget budget, std::shared_ptr<GoalRing> ring)
     : ground_(std::move(ground)),
       steering_(steering),
       wider_steering_(steering.model(), kWider * steering.radius(), steering.costs()),
       resolution_(resolution),
       budget_(std::move(budget)),
-      ring_(steering_) {
+      ring_(ring ? std::move(ring) : std::make_shared<GoalRing>(steering_)) {
   if (!budget_.clock) budget_.clock = cpu_seconds;
 }
 
@@ -135,7 +135,7 @@ const CoarseGrid* HybridPortfolio::grid_of(Squares squares) {
 }
 
 GoalRing& HybridPortfolio::ring_of(const KindOfSearch& kind) {
-  if (kind.motions != Motions::wider_shuffles) return ring_;
+  if (kind.motions != Motions::wider_shuffles) return *ring_;
   if (!wider_ring_) wider_ring_.emplace(wider_steering_);
   return *wider_ring_;
 }

@@ -45,8 +45,10 @@ struct HybridBudget {
 
 class HybridPortfolio {
  public:
+  /// The ring is of the steering, and may have been used before; null: a new one.
   HybridPortfolio(std::shared_ptr<const HybridGround> ground, const Steering& steering,
-                  const HybridResolution& resolution, HybridBudget budget = {});
+                  const HybridResolution& resolution, HybridBudget budget = {},
+                  std::shared_ptr<GoalRing> ring = {});
 
   /// Runs the query to its end. The goals must outlive the run.
   SearchOutcome run(const Pose& start, std::span<const HybridGoal> goals, const Limits& limits,
@@ -142,7 +144,7 @@ class HybridPortfolio {
   Steering wider_steering_;  // what the robot can do as well, in larger arcs
   HybridResolution resolution_;
   HybridBudget budget_;
-  GoalRing ring_;
+  std::shared_ptr<GoalRing> ring_;
   std::optional<GoalRing> wider_ring_;
   std::unique_ptr<LatticeMotions> lattice_;
   std::array<std::unique_ptr<CoarseGrid>, kSquares> grids_;

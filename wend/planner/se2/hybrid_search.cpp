@@ -254,7 +254,7 @@ std::optional<double> HybridSearch::drive(Index node, std::span<const Motion> mo
     if (next != 0) gear = next;
     cost += steering_.cost(motion, way);
     if (cost >= limit) return std::nullopt;
-    pose = pose_after(pose, motion);
+    if (&motion != &motions.back()) pose = pose_after(pose, motion);
   }
   return cost;
 }

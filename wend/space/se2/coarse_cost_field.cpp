@@ -77,7 +77,9 @@ void CoarseCostField::seed(const Seed& goal) {
       if (!grid_.open(square) || straight_distance(middle, goal.point) > goal.reach + size_)
         continue;
       if (!here && !in_sight(column, row, x, y)) continue;
-      improve(x, y, square, static_cast<float>(goal.cost(middle) * grid_.multiplier(square)));
+      improve(static_cast<std::uint32_t>(x + 1), static_cast<std::uint32_t>(y + 1),
+              static_cast<std::uint32_t>(square),
+              static_cast<float>(goal.cost(middle) * grid_.multiplier(square)));
     }
   }
 }
@@ -93,20 +95,24 @@ CoarseCostField::Around CoarseCostField::around(Point point) const {
           y - below};
 }
 
-float CoarseCostField::key(int column, int row, float value) const {
-  const float dx = (static_cast<float>(column) + 0.5F) * size_ - static_cast<float>(start_.x);
-  const float dy = (static_cast<float>(row) + 0.5F) * size_ - static_cast<float>(start_.y);
+float CoarseCostField::key(std::uint32_t column, std::uint32_t row, float value) const {
+  const auto middle = [&](std::uint32_t place) {
+    return (static_cast<float>(static_cast<std::int32_t>(place)) - 0.5F) * size_;
+  };
+  const float dx = middle(column) - static_cast<float>(start_.x);
+  const float dy = middle(row) - static_cast<float>(start_.y);
   return value + std::sqrt(dx * dx + dy * dy);
 }
 
-void CoarseCostField::improve(int column, int row, std::size_t square, float value) {
-  if (!(value < values_[square] * kWorthwhile)) return;
-  if (values_[square] == kUnknown) touched_.push_back(static_cast<std::uint32_t>(square));
+[[gnu::always_inline]] inline void CoarseCostField::improve(std::uint32_t column, std::uint32_t row,
+                                                            std::uint32_t square, float value) {
+  const float before = values_[square];
+  if (!(value < before * kWorthwhile)) return;
+  if (before == kUnknown) touched_.push_back(square);
   values_[square] = value;
   const float ahead = std::max(0.0F, (key(column, row, value) - first_key_) * per_width_);
-  const auto bucket = static_cast<std::uint64_t>(std::min(ahead, 1e15F));
-  queue_.push(std::max(bucket, queue_.least_key()),
-              {static_cast<std::uint32_t>(square), column, row, value});
+  const auto bucket = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::min(ahead, 1e15F)));
+  queue_.push(std::max(bucket, queue_.least_key()), {square, value});
 }
 
 void CoarseCostField::go_to_next_bucket() {
@@ -128,31 +134,41 @@ bool CoarseCostField::settle_next() {
   return false;
 }
 
-/// A neighbour that is as cheap gains nothing.
-void CoarseCostField::expand(const Waiting& from) {
-  const std::size_t up = grid_.stride();
-  const std::size_t square = from.square;
-  const std::uint8_t sides = grid_.sides(square);
-  const auto spread = [&](std::uint8_t side, int column, int row, std::size_t neighbour) {
-    if ((sides & side) != 0 && values_[neighbour] > from.value) update(column, row, neighbour);
-  };
-  spread(CoarseGrid::kRight, from.column + 1, from.row, square + 1);
-  spread(CoarseGrid::kLeft, from.column - 1, from.row, square - 1);
-  spread(CoarseGrid::kAbove, from.column, from.row + 1, square + up);
-  spread(CoarseGrid::kBelow, from.column, from.row - 1, square - up);
-}
-
-void CoarseCostField::update(int column, int row, std::size_t square) {
+/// The upwind solution for a square. Where there is no way to a neighbour, the square's own value stands for it: what
+/// follows from that is no gain.
+inline float CoarseCostField::updated(std::uint32_t square) const {
   const std::size_t up = grid_.stride();
   const std::uint8_t sides = grid_.sides(square);
-  const auto value = [&](std::uint8_t side, std::size_t neighbour) {
-    return (sides & side) != 0 ? values_[neighbour] : kUnknown;
+  const auto value = [&](std::uint8_t side, std::size_t step) {
+    return values_[square + ((sides & side) != 0 ? step : 0)];
   };
   const float along =
-      std::min(value(CoarseGrid::kRight, square + 1), value(CoarseGrid::kLeft, square - 1));
-  const float across =
-      std::min(value(CoarseGrid::kAbove, square + up), value(CoarseGrid::kBelow, square - up));
-  improve(column, row, square, upwind(along, across, grid_.multiplier(square) * size_));
+      std::min(value(CoarseGrid::kRight, 1), value(CoarseGrid::kLeft, -std::size_t{1}));
+  const float across = std::min(value(CoarseGrid::kAbove, up), value(CoarseGrid::kBelow, -up));
+  return upwind(along, across, grid_.multiplier(square) * size_);
+}
+
+/// A neighbour that is as cheap gains nothing.
+void CoarseCostField::expand(const Waiting& from) {
+  struct Neighbour {
+    std::uint8_t side;
+    std::uint32_t right;
+    std::uint32_t up;
+  };
+  constexpr std::uint32_t kBack = -std::uint32_t{1};
+  constexpr std::array<Neighbour, 4> kNeighbours{{{CoarseGrid::kRight, 1, 0},
+                                                  {CoarseGrid::kLeft, kBack, 0},
+                                                  {CoarseGrid::kAbove, 0, 1},
+                                                  {CoarseGrid::kBelow, 0, kBack}}};
+  const auto stride = static_cast<std::uint32_t>(grid_.stride());
+  const std::uint32_t row = from.square / stride;
+  const std::uint32_t column = from.square - row * stride;
+  const std::uint8_t sides = grid_.sides(from.square);
+  for (const Neighbour& next : kNeighbours) {
+    const std::uint32_t square = from.square + next.right + next.up * stride;
+    if ((sides & next.side) == 0 || !(values_[square] > from.value)) continue;
+    improve(column + next.right, row + next.up, square, updated(square));
+  }
 }
 
 CoarseCostField::Value CoarseCostField::at(Point point) const {

@@ -67,19 +67,18 @@ class CoarseCostField {
   /// A square that waits to be settled, as it was when it got its value.
   struct Waiting {
     std::uint32_t square;
-    std::int32_t column;
-    std::int32_t row;
     float value;
   };
 
   Around around(Point point) const;
   bool known(std::size_t square) const { return settled_flags_[square] != 0; }
-  float key(int column, int row, float value) const;
+  /// Squares count with the ring around the map, as in their index.
+  float key(std::uint32_t column, std::uint32_t row, float value) const;
   void seed(const Seed& goal);
   bool in_sight(int column, int row, int to_column, int to_row) const;
-  void improve(int column, int row, std::size_t square, float value);
-  void expand(const Waiting& waiting);
-  void update(int column, int row, std::size_t square);
+  void improve(std::uint32_t column, std::uint32_t row, std::uint32_t square, float value);
+  void expand(const Waiting& from);
+  float updated(std::uint32_t square) const;
   bool settle_next();
   void go_to_next_bucket();
   bool exhausted() const { return taken_ == bucket_.size() && queue_.empty(); }
@@ -88,7 +87,7 @@ class CoarseCostField {
   std::vector<float> values_;
   std::vector<std::uint8_t> settled_flags_;
   std::vector<std::uint32_t> touched_;
-  BucketQueue<Waiting> queue_;
+  BucketQueue<Waiting, NewestFirst, 256> queue_;
   std::vector<Waiting> bucket_;  // the current one
   std::size_t taken_ = 0;        // from its front
   std::function<bool()> stop_;

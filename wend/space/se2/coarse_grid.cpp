@@ -51,16 +51,6 @@ bool costs_nothing_more(const FreeSpace& space) {
   return space.uniform_terrain() && !(robot.clearance_distance > 0 && robot.clearance_cost > 0);
 }
 
-/// Calls visit(x) for the set bits of a row.
-template <class Visit>
-void for_each_cell(std::span<const std::uint64_t> words, Visit&& visit) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    for (std::uint64_t bits = words[i]; bits != 0; bits &= bits - 1) {
-      visit(static_cast<int>(64 * i) + std::countr_zero(bits) - 1);
-    }
-  }
-}
-
 }  // namespace
 
 BitGrid cells_to_drive_in(const FreeSpace& space) {
@@ -77,21 +67,7 @@ BitGrid cells_to_drive_in(const FreeSpace& space) {
   constexpr double kRounding = 1e-6;
   const double least = 4 * radius * radius - kRounding;
   if (radius <= 0 || least <= 1) return space.obstacles().blocked().complement();
-  const auto threshold = threshold_of(least);
-  BitGrid cells = space.possible();
-  std::vector<std::uint64_t> open;
-  for (int y = 0; y < space.height(); ++y) {
-    const auto row = cells.row_words(y);
-    const auto blocked = space.obstacles().blocked().row_words(y);
-    open.assign(row.size(), 0);
-    for (std::size_t i = 0; i < row.size(); ++i) open[i] = ~row[i] & ~blocked[i];
-    for_each_cell(open, [&](int x) {
-      const Cell cell{x, y};
-      if (!space.contains(cell)) return;
-      if (space.squared_half_cell_clearance(cell, threshold) >= threshold) cells.set(cell, true);
-    });
-  }
-  return cells;
+  return space.cells_clear_by(least);
 }
 
 CoarseGrid::CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size,

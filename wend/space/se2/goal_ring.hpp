@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "wend/geometry/pose.hpp"
@@ -19,7 +20,7 @@ class GoalRing {
  public:
   static constexpr double kReach = 4;  // turning radii: the table is used so far from the goal
 
-  /// The steering must outlive the ring. Places are computed when they are first asked for: all of them take
+  /// Places are computed when they are first asked for: all of them take
   /// milliseconds.
   explicit GoalRing(const Steering& steering) : steering_(steering), unit_(steering.radius() / 2) {
     if (unit_ == 0) return;
@@ -37,15 +38,16 @@ class GoalRing {
     const double share = turn - low;
     const auto first = static_cast<std::size_t>(static_cast<int>(low) + 2 * kHeadings) % kHeadings;
     const std::size_t second = (first + 1) % kHeadings;
-    return interpolated(place, [&](const float* costs) {
-      return costs[first] * (1 - share) + costs[second] * share;
+    return interpolated(place, [&](int column, int row) {
+      return heading_cost(column, row, first) * (1 - share) +
+             heading_cost(column, row, second) * share;
     });
   }
 
   /// The least of these over all headings.
   double least_cost(Point point, const Pose& goal) {
     return interpolated(Place({point.x, point.y, goal.heading}, goal, unit_),
-                        [](const float* costs) { return double{costs[kHeadings]}; });
+                        [&](int column, int row) { return least_at(column, row); });
   }
 
  private:
@@ -56,6 +58,7 @@ class GoalRing {
   static constexpr std::size_t kStride = kHeadings + 1;  // the last one is the least
   static constexpr double kHeadingStep = 2 * kPi / kHeadings;
   static constexpr float kNotComputed = -1;
+  static constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
   /// A pose in the goal's frame, in units, with y at least 0.
   struct Place {
@@ -78,23 +81,40 @@ class GoalRing {
   };
 
   /// The costs by heading, then the least of them.
-  const float* costs_at(int column, int row) {
-    float* const costs =
-        costs_.data() + static_cast<std::size_t>(row * kColumns + column) * kStride;
-    if (costs[kHeadings] == kNotComputed) compute(column, row, costs);
-    return costs;
+  float* costs_at(int column, int row) {
+    return costs_.data() + static_cast<std::size_t>(row * kColumns + column) * kStride;
   }
 
-  void compute(int column, int row, float* costs) const {
-    costs[kHeadings] = std::numeric_limits<float>::infinity();
-    for (std::size_t i = 0; i < kHeadings; ++i) {
-      const double heading = wrapped_angle(static_cast<double>(i) * kHeadingStep);
-      std::array<Connection, 1> best;
-      const Pose from{(column - kHalf) * unit_, row * unit_, heading};
-      const int count = steering_.connect(from, {0, 0, 0}, 0, best[0].cost, best);
-      costs[i] = count > 0 ? static_cast<float>(best[0].cost) : 0;
-      costs[kHeadings] = std::min(costs[kHeadings], costs[i]);
+  double heading_cost(int column, int row, std::size_t heading) {
+    float& cost = costs_at(column, row)[heading];
+    if (cost == kNotComputed) cost = computed(column, row, heading, kAnyCost).value_or(0.0F);
+    return cost;
+  }
+
+  /// What costs no less than the least of the headings before is not computed to its end. The heading towards the goal
+  /// comes first: it is cheap.
+  double least_at(int column, int row) {
+    float* const costs = costs_at(column, row);
+    float& least = costs[kHeadings];
+    if (least != kNotComputed) return least;
+    const double towards = arc_tangent(-row, kHalf - column) / kHeadingStep;
+    const auto first = static_cast<std::size_t>(std::floor(towards) + kHeadings);
+    least = computed(column, row, first % kHeadings, kAnyCost).value_or(0.0F);
+    for (std::size_t i = 1; i < kHeadings; ++i) {
+      const std::size_t aside = i % 2 == 0 ? kHeadings - i / 2 : (i + 1) / 2;
+      const auto cost = computed(column, row, (first + aside) % kHeadings, least);
+      least = std::min(least, cost.value_or(least));
     }
+    return least;
+  }
+
+  /// Nothing if it is not below `bound`.
+  std::optional<float> computed(int column, int row, std::size_t heading, double bound) const {
+    std::array<Connection, 1> best;
+    const Pose from{(column - kHalf) * unit_, row * unit_,
+                    wrapped_angle(static_cast<double>(heading) * kHeadingStep)};
+    if (steering_.connect(from, {0, 0, 0}, 0, bound, best) == 0) return std::nullopt;
+    return static_cast<float>(best[0].cost);
   }
 
   template <class CostAt>
@@ -105,12 +125,12 @@ class GoalRing {
     const int row = std::min(static_cast<int>(y), kRows - 2);
     const double right = x - column;
     const double up = y - row;
-    const auto at = [&](int dx, int dy) { return cost_at(costs_at(column + dx, row + dy)); };
+    const auto at = [&](int dx, int dy) { return cost_at(column + dx, row + dy); };
     return (1 - up) * ((1 - right) * at(0, 0) + right * at(1, 0)) +
            up * ((1 - right) * at(0, 1) + right * at(1, 1));
   }
 
-  const Steering& steering_;
+  Steering steering_;
   double unit_;  // cells between two columns
   std::vector<float> costs_;
 };

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "wend/geometry/pose.hpp"
 #include "wend/geometry/segment.hpp"
@@ -27,6 +28,11 @@ inline double driving_multiplier(const FreeSpace& space, Cell cell) {
   const Robot& robot = space.robot();
   const bool squeezed = robot.clearance_distance > 0 && !space.passable()[cell];
   return squeezed ? space.terrain(cell) * (1 + robot.clearance_cost) : space.terrain(cell);
+}
+
+/// The cell of a point on the map. Rounds towards zero, which is faster than down.
+inline Cell cell_on_map(Point point) {
+  return {static_cast<int>(point.x), static_cast<int>(point.y)};
 }
 
 class MotionCheck {
@@ -56,13 +62,26 @@ class MotionCheck {
  private:
   double room_around(const Pose& pose) const;
   int pieces_of(const Motion& motion) const;
-  bool on_map(Point point) const { return space_.contains(cell_at(point)); }
+  bool on_map(Point point) const {
+    return point.x >= 0 && point.y >= 0 && point.x < space_.width() && point.y < space_.height();
+  }
+  /// The driving multiplier at a point on the map.
+  double multiplier_at(Point point) const {
+    if (costs_its_length_) return 1;
+    const Cell cell = cell_on_map(point);
+    if (prices_.empty()) return driving_multiplier(space_, cell);
+    return prices_[space_.squared_half_cell_clearance(cell, known_ + 1)];
+  }
+  void list_prices();
   bool stays_on_map(const Pose& from, const Motion& motion) const;
   bool piece_fits(const Pose& from, const Motion& motion, double half_reach) const;
+  bool halves_fit(const Pose& from, const Motion& motion, double half_reach) const;
   bool disc_fits(const Pose& from, const Motion& motion, const Pose& middle, double half_reach,
                  bool& decided) const;
   bool polygon_fits(const Pose& from, const Motion& motion, const Pose& middle, double half_reach,
                     bool& decided) const;
+
+  static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 
   FreeSpace space_;
   FootprintRows rows_;          // of a polygon
@@ -70,6 +89,10 @@ class MotionCheck {
   double circumscribed_;        // cells
   double spin_;                 // how far the farthest corner moves in a turn by a radian, in cells
   std::uint32_t known_;         // distances up to here are at hand, squared and in half-cells
+  bool costs_its_length_;       // does nothing cost more, anywhere?
+  std::uint32_t clear_ =
+      kNever;  // a disc in the cells of this squared clearance is free on a whole piece
+  std::vector<double> prices_;  // driving multipliers by squared clearance, if nothing else counts
   double plain_room_;  // with this room beside the robot, nothing costs more than its length
 };
 

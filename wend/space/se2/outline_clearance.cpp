@@ -70,6 +70,14 @@ OutlineClearance::OutlineClearance(const FreeSpace& space, const Polygon& outlin
     const Point normal{(b.y - a.y) / length, (a.x - b.x) / length};
     edges_.push_back({normal, normal.x * a.x + normal.y * a.y});
   }
+  constexpr double kRounding = 1 + 1e-9;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Point& before = edges_[i].normal;
+    const Point& behind = edges_[(i + 1) % edges_.size()].normal;
+    const double half = std::max((1 + before.x * behind.x + before.y * behind.y) / 2, 0.0);
+    mitre_ = std::max(mitre_, kRounding / std::sqrt(half));
+    farthest_ = std::max(farthest_, kRounding * straight_distance(outline_[i], {}));
+  }
 }
 
 /// The distance of a point from the obstacles, or less.
@@ -81,28 +89,49 @@ double OutlineClearance::of_corner(const FreeSpace& space, Point corner, double 
   // No obstacle is farther from the point than from the nearest one on the map.
   const Point on_map{std::clamp<double>(corner.x, 0, space.width()),
                      std::clamp<double>(corner.y, 0, space.height())};
-  const Cell cell = nearest_cell(space, on_map);
-  constexpr double kBeyond = 1;  // cells: the corner is not in the middle of its cell
-  const double farthest = 2 * (most + kBeyond);
-  const auto squared = space.squared_half_cell_clearance(
-      cell, static_cast<std::uint32_t>(std::ceil(farthest * farthest)));
+  const Cell cell{std::min(static_cast<int>(on_map.x), space.width() - 1),
+                  std::min(static_cast<int>(on_map.y), space.height() - 1)};
+  constexpr double kToCorner = 0.7072;  // from the middle of a cell, or a bit more
+  const double far = 2 * (most + kToCorner);
+  const auto enough = static_cast<std::uint32_t>(far * far) + 1;
+  const std::uint32_t squared = space.squared_half_cell_clearance(cell, enough);
+  if (squared == enough) return most;
   const double clear =
       0.5 * std::sqrt(static_cast<double>(squared)) - straight_distance(on_map, centre_of(cell));
   if (clear >= most) return most;
   constexpr double kNear = 2;
   if (clear >= kNear) return clear;
-  double least = std::min(most, kNear);
-  any_obstacle(space, Box(on_map).grown_by(least), [&](Cell square) {
+  const double near = std::min(most, kNear);
+  double least = near * near;
+  any_obstacle(space, Box(on_map).grown_by(near), [&](Cell square) {
     const double dx = std::max({square.x - on_map.x, on_map.x - square.x - 1, 0.0});
     const double dy = std::max({square.y - on_map.y, on_map.y - square.y - 1, 0.0});
-    least = std::min(least, std::sqrt(dx * dx + dy * dy));
+    least = std::min(least, dx * dx + dy * dy);
     return false;
   });
-  return least;
+  return std::min(near, std::sqrt(least));
+}
+
+/// How far an obstacle's corner is outside the edges that it is farthest outside of; `most` or more is as good as that.
+double OutlineClearance::outside(const Pose& pose, const SineCosine& turn, const Corner& corner,
+                                 double most) const {
+  const double dx = static_cast<double>(corner.x) - pose.x;
+  const double dy = static_cast<double>(corner.y) - pose.y;
+  const double far = reach(most);
+  if (dx * dx + dy * dy > far * far) return most;
+  const double ahead = turn.cosine * dx + turn.sine * dy;
+  const double aside = turn.cosine * dy - turn.sine * dx;
+  double outside = -std::numeric_limits<double>::infinity();
+  for (const Edge& edge : edges_) {
+    outside = std::max(outside, edge.normal.x * ahead + edge.normal.y * aside - edge.offset);
+    if (outside >= most) break;
+  }
+  return outside;
 }
 
 double OutlineClearance::at(const FreeSpace& space, const Pose& pose, double most) const {
-  const auto [sine, cosine] = sine_and_cosine(pose.heading);
+  const SineCosine turn = sine_and_cosine(pose.heading);
+  const auto [sine, cosine] = turn;
   double least = most;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Point low{kFar, kFar};
@@ -125,16 +154,7 @@ double OutlineClearance::at(const FreeSpace& space, const Pose& pose, double mos
   for (int row = first_row; row <= last_row; ++row) {
     const std::uint32_t end = tiles_[tile_of(last, row) + 1];
     for (std::uint32_t i = tiles_[tile_of(first, row)]; i < end; ++i) {
-      const double dx = static_cast<double>(corners_[i].x) - pose.x;
-      const double dy = static_cast<double>(corners_[i].y) - pose.y;
-      const double ahead = cosine * dx + sine * dy;
-      const double aside = cosine * dy - sine * dx;
-      double outside = -kFar;
-      for (const Edge& edge : edges_) {
-        outside = std::max(outside, edge.normal.x * ahead + edge.normal.y * aside - edge.offset);
-        if (outside >= least) break;
-      }
-      least = std::min(least, outside);
+      least = std::min(least, outside(pose, turn, corners_[i], least));
     }
     if (least <= 0) return least;
   }

@@ -13,6 +13,7 @@
 
 #include "wend/geometry/polygon.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/geometry/trigonometry.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
@@ -48,13 +49,18 @@ class OutlineClearance {
     float y;
   };
 
+  /// How far an obstacle's corner that is less than some distance outside all edges may be from the base point.
+  double reach(double outside) const { return farthest_ + mitre_ * outside; }
   double of_corner(const FreeSpace& space, Point corner, double most) const;
+  double outside(const Pose& pose, const SineCosine& turn, const Corner& corner, double most) const;
   std::size_t tile_of(int column, int row) const {
     return static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column);
   }
 
   std::vector<Point> outline_;
   std::vector<Edge> edges_;
+  double farthest_ = 0;               // the distance of a corner of the polygon from the base point
+  double mitre_ = 0;                  // how far one moves if all edges move out by 1
   std::size_t columns_ = 0;           // of tiles
   int rows_ = 0;                      // the same
   std::vector<std::uint32_t> tiles_;  // the first corner of each tile, and the end of the last one
