@@ -8,10 +8,12 @@
 // - With SmallestFirst, pop() takes the smallest entry of all; entries with smaller keys must
 //   be smaller. A bucket is sorted when it becomes the lowest, and keeps sorted. That is fast where what is pushed into
 //   it then is smaller than most of it.
+// - With NewestOfFalling, the same, and keys may also fall below the current bucket, as those of a weighted search do.
+//   Those that fall by more than the ring holds come into its first bucket.
 // - take_bucket() takes the whole lowest bucket, for whoever expands it in the order of the pushes. What is pushed into
 //   that bucket later makes up another one with the same keys.
 //
-// push() takes keys that do not fall below the current bucket. A ring of kBuckets buckets holds the entries that are due
+// Else push() takes keys that do not fall below the current bucket. A ring of kBuckets buckets holds the entries that are due
 // soon. With NewestFirst, those beyond wait in one far list, which is sorted into buckets when the ring is empty; so keys
 // can be any distance ahead. With SmallestFirst, keys have to be within the ring. A push or pop takes O(1), plus the search
 // for the next bucket, 64 buckets at a time. Nothing is allocated once the buckets have their final sizes.
@@ -29,6 +31,7 @@
 namespace wend {
 
 struct NewestFirst {};
+struct NewestOfFalling {};
 struct SmallestFirst {};
 
 template <class Entry, class Order = NewestFirst, std::size_t kBuckets = 4096>
@@ -55,8 +58,12 @@ class BucketQueue {
   std::size_t size() const { return size_; }
 
   void push(std::uint64_t key, const Entry& entry) {
-    const std::uint64_t number = key >> width_bits_;
+    std::uint64_t number = key >> width_bits_;
     ++size_;
+    if constexpr (kFalls) {
+      number = std::max(number, horizon_ - kBuckets);
+      if (number < current_) fall_to(number);
+    }
     if constexpr (kSorts) {
       if (current_ == kUnknown) current_ = number;
       assert(number - current_ < kBuckets);
@@ -96,13 +103,14 @@ class BucketQueue {
     return bucket.size() < 2 ? nullptr : &bucket[bucket.size() - 2];
   }
 
-  /// No key of the bucket popped last is below this, nor will any later one be.
+  /// No key of the bucket popped last is below this; unless keys fall, nor will any later one be.
   std::uint64_t least_key() const { return current_ << width_bits_; }
   /// All keys of that bucket are below this.
   std::uint64_t end_of_bucket() const { return (current_ + 1) << width_bits_; }
 
  private:
-  static constexpr bool kSorts = !std::is_same_v<Order, NewestFirst>;
+  static constexpr bool kSorts = std::is_same_v<Order, SmallestFirst>;
+  static constexpr bool kFalls = std::is_same_v<Order, NewestOfFalling>;
   static constexpr std::size_t kWordBits = 64;
   static constexpr std::size_t kWords = kBuckets / kWordBits;
 
@@ -114,6 +122,15 @@ class BucketQueue {
   // Separate from the code of every push, so that push() stays short.
   [[gnu::noinline]] void push_far(std::uint64_t key, const Entry& entry) {
     far_.push_back({key, entry});
+  }
+
+  /// Goes back to a bucket of the ring.
+  void fall_to(std::uint64_t number) {
+    const std::size_t slot = current_ % kBuckets;
+    if (ring_[slot].empty()) {
+      occupied_[slot / kWordBits] &= ~(std::uint64_t{1} << (slot % kWordBits));
+    }
+    current_ = number;
   }
 
   std::vector<Entry>& lowest() {
@@ -136,6 +153,7 @@ class BucketQueue {
     }
     const std::size_t slot = word * kWordBits + static_cast<std::size_t>(std::countr_zero(bits));
     current_ += (slot - from) % kBuckets;
+    if constexpr (kFalls) return ring_[slot];
     if constexpr (!kSorts) {
       // What is far stays beyond the horizon, or an entry could come into a bucket before older ones.
       if (far_.empty()) horizon_ = current_ + kBuckets;

@@ -59,6 +59,7 @@ class WideningEngine final : public Engine {
   OpenList open_list(std::size_t most) const override { return engine_->open_list(most); }
   double heuristic(const Place& place) const override { return engine_->heuristic(place); }
   void write_path(Path& path) const override { engine_->write_path(path); }
+  std::optional<double> bound() const override { return engine_->bound(); }
 
   bool release() override {
     if (!make_wide_on_ || !engine_->release()) return false;

@@ -30,6 +30,7 @@
 #include "wend/planner/costs/cost_grid.hpp"
 #include "wend/planner/costs/landmarks.hpp"
 #include "wend/planner/grid/best_first.hpp"
+#include "wend/search/rounds.hpp"
 
 namespace wend {
 
@@ -48,5 +49,9 @@ std::shared_ptr<GridEngine> make_leap_engine(
 /// The engine, with this number of landmarks, and what repairs it after an edit. No use if the deadline passes before.
 GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts,
                               unsigned landmarks = 0, DeadlineCheck& stop = DeadlineCheck::never());
+
+/// The same for an anytime search without landmarks.
+GridPlanner::Parts anytime_leap_parts(const FreeSpace& space, const BestFirst& parts,
+                                      AnytimeWeights weights, DeadlineCheck& stop);
 
 }  // namespace wend

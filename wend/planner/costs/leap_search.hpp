@@ -7,13 +7,16 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "wend/base/bucket_queue.hpp"
 #include "wend/planner/costs/cost_grid.hpp"
 #include "wend/planner/costs/integer_search.hpp"
 #include "wend/planner/costs/landmarks.hpp"
+#include "wend/planner/costs/leap_rounds.hpp"
 #include "wend/planner/costs/run_node.hpp"
 #include "wend/planner/costs/run_stops.hpp"
 #include "wend/planner/costs/whole_estimate.hpp"
@@ -22,21 +25,18 @@
 namespace wend {
 
 /// Costs of the type Cost on a grid of Words, in Units: CostUnits, or OctileUnits where every cell costs the same.
-template <class Cost, class Word, class Units>
+/// With kInRounds an anytime search (leap_rounds.hpp).
+template <class Cost, class Word, class Units, bool kInRounds = false>
 class LeapSearch final : public IntegerSearch {
  public:
   LeapSearch(std::shared_ptr<const CostGrid<Word>> its_grid, const BestFirst& parts,
              std::shared_ptr<const Landmarks> landmarks = nullptr)
-      : grid_(std::move(its_grid)),
-        landmarks_(std::move(landmarks)),
-        words_(grid().words()),
-        log_position_(grid().log_end()),
-        estimate_(parts, grid().least_steps()),
-        leaps_(parts.leaps && parts.moves.connectivity == Connectivity::eight),
-        cuts_corners_(parts.moves.corner_rule != CornerRule::none),
-        prefetches_(grid().state_count() >= kFewestToPrefetch),
-        stops_(grid()),
-        nodes_(grid().state_count()) {}
+    requires(!kInRounds)
+      : LeapSearch(std::move(its_grid), parts, std::move(landmarks), NoRounds{}) {}
+  LeapSearch(std::shared_ptr<const CostGrid<Word>> its_grid, const BestFirst& parts,
+             AnytimeWeights weights)
+    requires kInRounds
+      : LeapSearch(std::move(its_grid), parts, nullptr, Rounds(weights)) {}
 
   bool allocated() const override { return nodes_.allocated(); }
 
@@ -54,19 +54,32 @@ class LeapSearch final : public IntegerSearch {
     if (landmarks_ != nullptr && goals.size() == 1 && goals.front().is_one_place()) {
       bounds_ = Landmarks::Bounds(landmarks_, id, grid().number(goals.front().any()));
     }
-    queue_.begin(estimate(start, id), width_bits_for(grid().least_steps()));
+    if constexpr (kInRounds) {
+      rounds_.begin(*this, estimate(start, id));
+    } else {
+      queue_.begin(estimate(start, id), width_bits());
+    }
     reach(id, start, 0, Node::kNoArrival);
     count_open(queue_.size());
     if (overflown_) end(SearchOutcome::cost_overflow);
   }
 
-  SearchOutcome step() override { return advance(true); }
+  SearchOutcome step() override {
+    go_on();
+    return advance(true);
+  }
   SearchOutcome run() override {
+    go_on();
     return outcome() == SearchOutcome::running ? advance(false) : outcome();
   }
 
+  std::optional<double> bound() const override {
+    if constexpr (kInRounds) return rounds_.bound(best_);
+    return std::nullopt;
+  }
+
   OpenList open_list(std::size_t most) const override {
-    BucketQueue<Entry> rest = queue_;
+    Queue rest = queue_;
     OpenList list;
     std::uint64_t best = best_;
     Cell goal = goal_;
@@ -87,7 +100,9 @@ class LeapSearch final : public IntegerSearch {
         goal = cell;
       }
     }
-    if (best != kNoCost && outcome() == SearchOutcome::running) add(goal);
+    bool goal_is_due = best != kNoCost && outcome() == SearchOutcome::running;
+    if constexpr (kInRounds) goal_is_due = best < best_ || rounds_.goal_is_due();
+    if (goal_is_due) add(goal);
     return list;
   }
 
@@ -111,12 +126,14 @@ class LeapSearch final : public IntegerSearch {
 
  private:
   using Grid = CostGrid<Word>;
-  using Node = RunNode<Cost>;
+  using Node = std::conditional_t<kInRounds, AnytimeNode<RunNode<Cost>>, RunNode<Cost>>;
 
-  struct Entry {
-    Cost g;
-    StateId id;
-  };
+  using Entry = LeapEntry<Cost>;
+  using Rounds = LeapRounds<Cost>;
+  using Queue = BucketQueue<Entry, std::conditional_t<kInRounds, NewestOfFalling, NewestFirst>>;
+  struct NoRounds {};
+  using RoundsIfAny = std::conditional_t<kInRounds, Rounds, NoRounds>;
+  friend Rounds;
 
   static constexpr bool is_diagonal_move(unsigned move) { return (move & 1U) != 0; }
 
@@ -124,15 +141,30 @@ class LeapSearch final : public IntegerSearch {
   static constexpr std::uint64_t kNoCost = UINT64_MAX;
   static constexpr std::uint64_t kMostCost = std::numeric_limits<Cost>::max() / 2;
 
+  LeapSearch(std::shared_ptr<const Grid> its_grid, const BestFirst& parts,
+             std::shared_ptr<const Landmarks> landmarks, RoundsIfAny rounds)
+      : grid_(std::move(its_grid)),
+        landmarks_(std::move(landmarks)),
+        rounds_(std::move(rounds)),
+        words_(grid().words()),
+        log_position_(grid().log_end()),
+        estimate_(parts, grid().least_steps()),
+        leaps_(parts.leaps && parts.moves.connectivity == Connectivity::eight),
+        cuts_corners_(parts.moves.corner_rule != CornerRule::none),
+        prefetches_(grid().state_count() >= kFewestToPrefetch),
+        stops_(grid()),
+        nodes_(grid().state_count()) {}
+
   const Grid& grid() const { return *grid_; }
+  bool has_path() const { return best_ != kNoCost; }
 
   double units_per_cell() const {
     return 2.0 * static_cast<double>(grid().one()) * Units::kStraight;
   }
 
   /// A bucket is between 1/8 and 1/16 of the cheapest straight step wide.
-  static unsigned width_bits_for(std::uint64_t least_steps) {
-    const std::uint64_t least = 2 * least_steps * Units::kStraight;
+  unsigned width_bits() const {
+    const std::uint64_t least = 2 * grid().least_steps() * Units::kStraight;
     return static_cast<unsigned>(std::bit_width(least)) - 4;
   }
 
@@ -175,10 +207,18 @@ class LeapSearch final : public IntegerSearch {
     }
   }
 
+  /// After a path of an anytime search.
+  void go_on() {
+    if (kInRounds && outcome() == SearchOutcome::improved) end(SearchOutcome::running);
+  }
+
   SearchOutcome advance(bool once) {
     do {
       expand_next();
     } while (!once && outcome() == SearchOutcome::running);
+    if constexpr (kInRounds) {
+      if (once && outcome() == SearchOutcome::running && !any_due()) rounds_.end_round(*this);
+    }
     return outcome();
   }
 
@@ -186,20 +226,102 @@ class LeapSearch final : public IntegerSearch {
   [[gnu::always_inline]] void expand_next() {
     while (!queue_.empty()) {
       const Entry entry = queue_.pop();
-      if (best_ <= queue_.least_key()) break;
+      if (best_ <= queue_.least_key()) {
+        if constexpr (kInRounds) push(entry);
+        break;
+      }
       if (prefetches_) {
         if (const Entry* later = queue_.after_next()) fetch_ahead(later->id);
       }
       if (is_stale(entry)) continue;
-      if (stopped()) return;
+      if (stopped()) {
+        if constexpr (kInRounds) {
+          push(entry);
+          rounds_.limit(*this);
+        }
+        return;
+      }
       if (!expand(entry.id, entry.g)) continue;
       if (overflown_) end(SearchOutcome::cost_overflow);
+      if constexpr (kInRounds) hurry();
       return;
     }
-    if (best_ == kNoCost) return end(SearchOutcome::exhausted);
+    if constexpr (kInRounds) return end_round();
+    if (!has_path()) return end(SearchOutcome::exhausted);
     if (stopped()) return;
     end(SearchOutcome::found);
-    count_expansion(grid().number(goal_));
+    count_expansion(goal_id());
+  }
+
+  /// Ends the round early if the last one has to come.
+  void hurry() {
+    const bool may = has_path() && !rounds_.goal_is_due() && outcome() == SearchOutcome::running;
+    if (may && rounds_.hurries(metrics().expanded)) rounds_.end_round(*this);
+  }
+
+  void end_round() {
+    if (rounds_.goal_is_due()) {
+      if (stopped()) return rounds_.limit(*this);
+      count_expansion(goal_id());
+      rounds_.set_goal_due(false);
+    }
+    rounds_.end_round(*this);
+  }
+
+  /// Is there something to expand in this round? Drops what comes before it in the queue.
+  bool any_due() {
+    while (!queue_.empty()) {
+      const Entry entry = queue_.pop();
+      if (is_stale(entry) || is_dominated(entry)) continue;
+      const Cell cell = grid().cell(entry.id);
+      if (best_ > queue_.least_key() && estimate_.is_goal(cell)) {
+        take_goal(cell, entry.g);
+        continue;
+      }
+      push(entry);
+      if (best_ <= queue_.least_key()) break;
+      return true;
+    }
+    return rounds_.goal_is_due();
+  }
+
+  /// A goal is expanded last, when no other one can be reached more cheaply.
+  void take_goal(Cell cell, std::uint64_t g) {
+    if (g >= best_) return;
+    best_ = g;
+    goal_ = cell;
+    if constexpr (kInRounds) rounds_.set_goal_due(true);
+  }
+
+  /// g + h of an open cell.
+  std::uint64_t total(const Entry& entry) const {
+    return entry.g + estimate(grid().cell(entry.id), entry.id);
+  }
+
+  /// Puts an entry back into the queue.
+  void push(const Entry& entry) {
+    queue_.push(rounds_.key(entry.g, estimate(grid().cell(entry.id), entry.id)), entry);
+  }
+
+  StateId goal_id() const { return grid().number(goal_); }
+  bool has_parent(StateId id) const { return nodes_[id].move() != kNoMove; }
+  StateId parent(StateId id) const {
+    const Node& node = nodes_[id];
+    return grid().neighbour(id, (node.move() + 4U) % kDirections, node.run());
+  }
+
+  /// Opens a cell again if the way over its parent has become cheaper since; returns its g.
+  std::uint64_t reach_from_parent(StateId id) {
+    Node& node = nodes_[id];
+    const std::uint64_t steps = Grid::steps(words_[parent(id)]) + Grid::steps(words_[id]);
+    const std::uint64_t unit = is_diagonal_move(node.move()) ? Units::kDiagonal : Units::kStraight;
+    const std::uint64_t g = nodes_[parent(id)].g + steps * unit * node.run();
+    if (g < node.g) {
+      nodes_.open(node, static_cast<Cost>(g), Node::arrival_by(node.move(), node.run()));
+      push({static_cast<Cost>(g), id});
+      count_reached(id, true);
+    }
+    return node.g;
   }
 
   /// False if there is nothing to expand yet: the cell is dominated, or a goal.
@@ -209,11 +331,7 @@ class LeapSearch final : public IntegerSearch {
     const Word word = words_[id];
     const From from{id, cell, g, Grid::steps(word)};
     if (estimate_.is_goal(cell)) {
-      // It is expanded last, when no other goal can be reached more cheaply.
-      if (g < best_) {
-        best_ = g;
-        goal_ = cell;
-      }
+      take_goal(cell, g);
       return false;
     }
     unsigned moves = grid().moves(arrival, word);
@@ -224,7 +342,7 @@ class LeapSearch final : public IntegerSearch {
         moves = without_dearer_diagonals(from, arrival, moves);
       }
     }
-    count_expansion(from.id);
+    close(from.id);
     for (; moves != 0; moves &= moves - 1) {
       const auto direction = static_cast<unsigned>(std::countr_zero(moves));
       if (is_diagonal_move(direction)) {
@@ -235,6 +353,11 @@ class LeapSearch final : public IntegerSearch {
     }
     count_open(queue_.size());
     return true;
+  }
+
+  void close(StateId id) {
+    if constexpr (kInRounds) rounds_.close(nodes_[id]);
+    count_expansion(id);
   }
 
   struct From {
@@ -292,7 +415,7 @@ class LeapSearch final : public IntegerSearch {
     if (dominated(first)) return false;
     const Run second = run_from(from, (arrival + 1U) % kDirections);
     if (dominated(second)) return false;
-    count_expansion(from.id);
+    close(from.id);
     follow(from, first);
     follow(from, second);
     step_diagonally(from, arrival);
@@ -348,14 +471,21 @@ class LeapSearch final : public IntegerSearch {
     Node& node = nodes_[id];
     const bool reached = nodes_.reached(node);
     if (reached && node.g <= g) return;
-    const std::uint64_t f = g + estimate(cell, id);
+    const std::uint64_t h = estimate(cell, id);
+    const std::uint64_t f = g + h;
     if (f >= best_) return;
     if (f > kMostCost) {
       overflown_ = true;
       return;
     }
     nodes_.open(node, static_cast<Cost>(g), arrival);
-    queue_.push(f, {static_cast<Cost>(g), id});
+    const Entry entry{static_cast<Cost>(g), id};
+    if constexpr (kInRounds) {
+      if (!reached) node.begin();
+      rounds_.open(queue_, node, entry, h);
+    } else {
+      queue_.push(f, entry);
+    }
     count_reached(id, reached);
   }
 
@@ -374,6 +504,7 @@ class LeapSearch final : public IntegerSearch {
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const Landmarks> landmarks_;  // null: none, or no longer
   Landmarks::Bounds bounds_;                    // of the present query
+  [[no_unique_address]] RoundsIfAny rounds_;
   const Word* words_;
   std::uint64_t log_position_;  // in the grid's log
   WholeEstimate<Units> estimate_;
@@ -381,8 +512,8 @@ class LeapSearch final : public IntegerSearch {
   bool cuts_corners_;
   bool prefetches_;  // on maps that the caches near a core do not hold
   RunStops stops_;
-  RunNodes<Cost> nodes_;
-  BucketQueue<Entry> queue_;
+  NodeTable<Node, 16> nodes_;
+  Queue queue_;
   bool overflown_ = false;
   std::uint64_t best_ = kNoCost;  // of the goals expanded so far
   Cell goal_{};

@@ -1,11 +1,13 @@
 // ARA*: M. Likhachev, G. Gordon and S. Thrun, "ARA*: Anytime A* with Provable Bounds on Sub-Optimality", NIPS
-// 2003. A ForwardSearch in rounds.
+// 2003. A LeapSearch in rounds; where a disc may cut corners, a ForwardSearch.
 
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <type_traits>
 
+#include "wend/planner/costs/leap_engine.hpp"
+#include "wend/planner/grid/best_first.hpp"
 #include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
@@ -73,7 +75,13 @@ std::unique_ptr<GridEngine> make_engine(const FreeSpace& space, const AraStarOpt
                                   AnytimeWeights{options.initial_weight, options.weight_step});
 }
 
-GridPlanner::Parts ara_star_parts(const FreeSpace& space, const AraStarOptions& options) {
+GridPlanner::Parts ara_star_parts(const FreeSpace& space, const AraStarOptions& options,
+                                  DeadlineCheck& stop) {
+  const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
+  const BestFirst parts{options.moves, kind, 0, 1, options.leaps};
+  if (can_leap(space, parts)) {
+    return anytime_leap_parts(space, parts, {options.initial_weight, options.weight_step}, stop);
+  }
   auto engine = space.uniform_terrain() ? make_engine<ExactGrid>(space, options)
                                         : make_engine<TerrainGrid>(space, options);
   return {options.moves, std::move(engine), Plan::kNoBound};
@@ -95,13 +103,15 @@ PlannerInfo ara_star_planner() {
                          "on terrain at most "
                          "1.5e-6 of the cost more",
        .time = "O(n log n) in the n cells expanded; a cell may be expanded once for each weight",
-       .memory = "16 bytes per cell, 24 per frontier entry",
-       .bytes_per_cell = 16,
+       .memory = "21 bytes per cell, 16 per frontier entry; on terrain 17 and 8, or 21 and 16 if "
+                 "sums of costs "
+                 "outgrow 32 bits; 16 and 24 where a disc may cut corners",
+       .bytes_per_cell = 21,
        .when = "When an answer is due at a fixed time, whatever the map. Until the path is optimal "
                "it does more "
                "work than astar.",
        .guarantee = Guarantee::bounded,
-       .capabilities = {.terrain = true, .anytime = true}},
+       .capabilities = {.jumps = true, .leaps = true, .terrain = true, .anytime = true}},
       ara_star_parts);
 }
 

@@ -103,6 +103,7 @@ struct AraStarOptions {
   GridMoves moves = {};       // how the robot steps
   double initial_weight = 3;  // of the estimate, until the first path; 1 is A*
   double weight_step = 0.5;   // what the next weight is below the bound that is proven
+  bool leaps = true;          // false: expand cell by cell, to watch a search
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -113,6 +114,8 @@ struct AraStarOptions {
         self.initial_weight, OptionRange{1, 1e6});
     field({"weight_step", "what the next w is below the bound that is proven"}, self.weight_step,
           OptionRange{0.01, 1e6});
+    field({"leaps", "skip cells that cannot matter, for speed; false: expand cell by cell"},
+          self.leaps);
   }
 };
 
