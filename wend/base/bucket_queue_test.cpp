@@ -103,5 +103,38 @@ TEST(BucketQueue, PopsWhatAHeapOfBucketsPops) {
   }
 }
 
+/// The same where keys fall, but no further than to the first bucket of the ring.
+TEST(BucketQueue, FollowsFallingKeys) {
+  constexpr std::uint64_t kBuckets = 4096;
+  using Queue = BucketQueue<int, NewestOfFalling, kBuckets>;
+  Queue queue;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const auto width_bits = static_cast<unsigned>(random.between(0, 10));
+    const int range = random.chance(0.5) ? 50 : 6000;
+    std::uint64_t first = static_cast<std::uint64_t>(random.between(0, 1'000'000));  // bucket
+    std::uint64_t lowest = first;
+    queue.begin(first << width_bits, width_bits);
+    Model model;
+    for (int age = 0; age < 2000; ++age) {
+      if (model.size() == 0 || random.chance(0.52)) {
+        const int ahead = random.between(-range, range);
+        const std::uint64_t bucket = ahead < 0 && lowest < static_cast<std::uint64_t>(-ahead)
+                                         ? 0
+                                         : lowest + static_cast<std::uint64_t>(ahead);
+        queue.push(bucket << width_bits, age);
+        model.push({std::max(bucket, first), age});
+        continue;
+      }
+      lowest = model.top().bucket;
+      if (lowest >= first + kBuckets) first = lowest;
+      ASSERT_EQ(queue.pop(), model.pop().age);
+      ASSERT_EQ(queue.least_key(), lowest << width_bits);
+      ASSERT_EQ(queue.size(), model.size());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wend

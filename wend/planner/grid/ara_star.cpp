@@ -6,6 +6,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "wend/jump/noise.hpp"
 #include "wend/planner/costs/leap_engine.hpp"
 #include "wend/planner/grid/best_first.hpp"
 #include "wend/planner/grid/grid_options.hpp"
@@ -78,7 +79,8 @@ std::unique_ptr<GridEngine> make_engine(const FreeSpace& space, const AraStarOpt
 GridPlanner::Parts ara_star_parts(const FreeSpace& space, const AraStarOptions& options,
                                   DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
-  const BestFirst parts{options.moves, kind, 0, 1, options.leaps};
+  const bool noise = space.uniform_terrain() && is_noise(space.passable());
+  const BestFirst parts{options.moves, kind, 0, 1, options.leaps && !noise};
   if (can_leap(space, parts)) {
     return anytime_leap_parts(space, parts, {options.initial_weight, options.weight_step}, stop);
   }

@@ -6,7 +6,9 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
+#include <string>
 #include <vector>
 
 #include "conformance/random_map.hpp"
@@ -67,6 +69,8 @@ TEST(AraStar, FindsCheaperPathsUntilTheCheapest) {
 }
 
 TEST(AraStar, WithAWeightOfOneIsAStar) {
+  std::uint64_t expanded = 0;
+  std::uint64_t expanded_by_astar = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -81,8 +85,11 @@ TEST(AraStar, WithAWeightOfOneIsAStar) {
     if (answer.status != Status::found) continue;
     EXPECT_THAT(answer.told, SizeIs(1));
     EXPECT_NEAR(answer.plan.cost, expected.cost, 1e-9 * expected.cost);
-    EXPECT_LE(answer.plan.metrics.expanded, expected.metrics.expanded);
+    expanded += answer.plan.metrics.expanded;
+    expanded_by_astar += expected.metrics.expanded;
   }
+  // Its buckets are not sorted, but it leaps.
+  EXPECT_LE(expanded, expanded_by_astar);
 }
 
 TEST(AraStar, AnswersAtATimeLimitWithItsBestPath) {
@@ -144,6 +151,71 @@ TEST(AraStar, TellsTheSameWhenItIsStepped) {
   for (const Plan& each : expected.told) expected_bounds.push_back(each.bound);
   EXPECT_EQ(bounds, expected_bounds);
   EXPECT_EQ(plan.path, expected.plan.path);
+}
+
+/// Any options with which it leaps or expands cell by cell.
+AraStarOptions random_options(Random& random) {
+  AraStarOptions options{.initial_weight = 1 + 5 * random.uniform(),
+                         .weight_step = 0.01 + random.uniform()};
+  if (random.chance(0.1)) options.initial_weight = 1e6;
+  if (random.chance(0.3)) options.moves.connectivity = Connectivity::four;
+  if (random.chance(0.3)) options.moves.corner_rule = CornerRule::one;
+  options.leaps = random.chance(0.6);
+  return options;
+}
+
+/// Every path of an answer costs at most its bound times the least cost, and is better than the one before.
+void expect_true_bounds(const AnytimeAnswer& answer, double least, double slack) {
+  ASSERT_EQ(answer.status, Status::found);
+  ASSERT_FALSE(answer.told.empty());
+  EXPECT_EQ(answer.told.back().path, answer.plan.path);
+  for (std::size_t i = 0; i < answer.told.size(); ++i) {
+    const Plan& plan = answer.told[i];
+    EXPECT_GE(plan.cost, least * (1 - slack));
+    EXPECT_LE(plan.cost, plan.bound * least * (1 + slack));
+    if (i == 0) continue;
+    EXPECT_LE(plan.cost, answer.told[i - 1].cost * (1 + slack));
+    EXPECT_LT(plan.bound, answer.told[i - 1].bound);
+  }
+}
+
+/// On maps that are larger than those of the conformance suite: rounds are repeated, and end early.
+TEST(AraStar, ProvesItsBoundsOnLargerMaps) {
+  constexpr double kRounding = 1e-9;
+  constexpr double kSlackOfCosts = 2e-6;
+  Random random(3);
+  std::size_t told = 0;
+  for (int i = 0; i < 60 && !HasFailure(); ++i) {
+    SCOPED_TRACE("seed 3, trial " + std::to_string(i));
+    const char* const kinds[] = {"random", "maze", "rooms", "office", "warehouse", "rough"};
+    const auto map = make_map(kinds[i % 6], random.between(121, 180), random.between(121, 180), 1);
+    ASSERT_TRUE(map);
+    const double clearance = random.chance(0.5) ? 2 * map->frame().resolution : 0;
+    const FreeSpace space = *make_free_space(*map, {.clearance_distance = clearance});
+    const AraStarOptions options = random_options(random);
+    const auto planner = make_planner(space, options);
+    const auto dijkstra =
+        make_planner(space, DijkstraOptions{.moves = options.moves, .leaps = false});
+    const double slack = space.uniform_terrain() ? kRounding : kSlackOfCosts;
+    for (int j = 0; j < 4; ++j) {
+      Query query = Query::between(test::random_cell(random, space.width(), space.height()),
+                                   test::random_cell(random, space.width(), space.height()));
+      const auto optimum = (*dijkstra)->plan(query);
+      const AnytimeAnswer answer = anytime_answer(**planner, query);
+      EXPECT_EQ(answer.status == Status::found, optimum.has_value());
+      if (!optimum) continue;
+      expect_true_bounds(answer, optimum->cost, slack);
+      EXPECT_LE(answer.told.front().bound, options.initial_weight * (1 + kRounding));
+      EXPECT_TRUE(answer.plan.optimal());
+      told += answer.told.size();
+      query.limits.expansions = random.below(answer.plan.metrics.expanded + 1);
+      const AnytimeAnswer limited = anytime_answer(**planner, query);
+      EXPECT_LE(limited.plan.metrics.expanded, query.limits.expansions);
+      if (limited.status == Status::expansion_limit) continue;
+      expect_true_bounds(limited, optimum->cost, slack);
+    }
+  }
+  EXPECT_GT(told, 300U);
 }
 
 TEST(OtherPlanners, TellTheirOnlyPath) {
