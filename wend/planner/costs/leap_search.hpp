@@ -50,10 +50,7 @@ class LeapSearch final : public IntegerSearch {
     nodes_.begin_search();
     catch_up();
     prepare_rooms(limits);
-    if (rooms_ != nullptr) {
-      rooms_->close_for(start, goals);
-      estimate_.set_least_sums(rooms_->least_sums(0), rooms_->least_sums(1));
-    }
+    if (rooms_ != nullptr) rooms_->close_for(start, goals);
     estimate_.begin(goals);
     stops_.set_goals(goals);
     const StateId id = grid().number(start);
@@ -156,7 +153,6 @@ class LeapSearch final : public IntegerSearch {
       landmarks_.reset();
     }
     if (!changes || (rooms_ != nullptr && !rooms_->outlast(grid(), *changes))) {
-      if (rooms_ != nullptr) stops_.set_more(grid(), rooms_->entries(), false);
       rooms_.reset();
       expanded_before_ = 0;
     }
@@ -170,11 +166,7 @@ class LeapSearch final : public IntegerSearch {
     const Deadline deadline(limits);
     DeadlineCheck stop(&deadline);
     rooms_ = std::make_unique<SideRooms>(grid(), stop);
-    if (stop.has_passed()) {
-      rooms_.reset();
-    } else {
-      stops_.set_more(grid(), rooms_->entries(), true);
-    }
+    if (stop.has_passed()) rooms_.reset();
   }
 
   std::uint64_t estimate(Cell cell, StateId id) const {

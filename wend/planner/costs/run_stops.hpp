@@ -32,15 +32,6 @@ class RunStops {
     columns_ = all_but(interior.transposed());
   }
 
-  /// Ends runs in more cells, or no longer.
-  template <class Word>
-  void set_more(const CostGrid<Word>& grid, std::span<const StateId> cells, bool stop) {
-    drop_goals();
-    for (const StateId id : cells) {
-      put(grid.cell(id), stop || !CostGrid<Word>::interior(grid.word(id)));
-    }
-  }
-
   /// Follows the changes of the grid that it was made from.
   template <class Word>
   void repair(const CostGrid<Word>& grid,

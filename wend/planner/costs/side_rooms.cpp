@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <utility>
 
@@ -174,18 +173,13 @@ template <class Word>
 class SideRooms::Finder {
  public:
   Finder(SideRooms& rooms, const CostGrid<Word>& grid)
-      : rooms_(rooms),
-        grid_(grid),
-        costs_(zeroed_table<std::uint64_t>(grid.state_count())),
-        inside_(rooms.closed_.size()) {}
+      : rooms_(rooms), grid_(grid), costs_(zeroed_table<std::uint64_t>(grid.state_count())) {}
 
-  /// By rows, or by columns.
+  /// By rows, or by columns. Without memory there are no rooms.
   void find(const BitLines& free, std::size_t by_columns, DeadlineCheck& stop) {
     if (costs_ == nullptr) return;
     RunTree tree(free);
     const std::vector<Door> doors = tree.doors(stop);
-    std::vector<std::uint32_t> in_order(tree.runs().size() + 1);
-    for (std::uint32_t i = 0; i < tree.runs().size(); ++i) in_order[tree.runs()[i].number] = i;
     std::vector<Door> around;  // the doors of the rooms that the present one lies in
     for (const Door& door : doors) {
       if (stop.now()) return;
@@ -197,42 +191,13 @@ class SideRooms::Finder {
       around.push_back(door);
       const auto first = static_cast<std::uint32_t>(rooms_.entries_.size());
       for (const Entry& entry : entries_) rooms_.entries_.push_back(entry.id);
-      rooms_.ends_.insert(rooms_.ends_.end(), door_.begin(), door_.end());
-      Room room{by_columns,
-                door.begin,
-                door.end,
-                first,
-                static_cast<std::uint32_t>(rooms_.entries_.size()),
-                {},
-                CostMap::kMost};
-      for (std::uint32_t i = door.begin; i < door.end; ++i) add(room, tree.runs()[in_order[i]]);
-      rooms_.rooms_.push_back(room);
+      rooms_.doors_.insert(rooms_.doors_.end(), door_.begin(), door_.end());
+      rooms_.rooms_.push_back({by_columns, door.begin, door.end, first,
+                               static_cast<std::uint32_t>(rooms_.entries_.size())});
     }
     Runs& lines = rooms_.lines_[by_columns];
     lines.first = tree.first();
     for (const FoundRun& run : tree.runs()) lines.runs.push_back({run.begin, run.number});
-    for (const Room& room : rooms_.rooms_) rooms_.set(room, true);
-  }
-
-  /// The least steps of the cells outside of all rooms, by columns and by rows.
-  void find_least() {
-    const auto none = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t>& columns = rooms_.least_[0];
-    std::vector<std::uint32_t>& rows = rooms_.least_[1];
-    columns.assign(static_cast<std::size_t>(grid_.width()), none);
-    rows.assign(static_cast<std::size_t>(grid_.height()), none);
-    for (std::size_t y = 0; y < rows.size(); ++y) {
-      StateId id = grid_.number({0, static_cast<int>(y)});
-      for (std::size_t x = 0; x < columns.size(); ++x, ++id) {
-        if (grid_.word(id) == 0 || (inside_[id / 64] >> (id % 64) & 1U) != 0) continue;
-        const auto steps = static_cast<std::uint32_t>(CostGrid<Word>::steps(grid_.word(id)));
-        columns[x] = std::min(columns[x], steps);
-        rows[y] = std::min(rows[y], steps);
-      }
-    }
-    const auto least = static_cast<std::uint32_t>(grid_.least_steps());
-    std::ranges::replace(columns, none, least);
-    std::ranges::replace(rows, none, least);
   }
 
  private:
@@ -244,11 +209,8 @@ class SideRooms::Finder {
 
   static constexpr std::uint64_t kDoor = std::uint64_t{1} << 63U;
 
-  static Cell cell(std::size_t by_columns, int line, int at) {
-    return by_columns != 0 ? Cell{line, at} : Cell{at, line};
-  }
   StateId number(std::size_t by_columns, int line, int at) const {
-    return grid_.number(cell(by_columns, line, at));
+    return grid_.number(by_columns != 0 ? Cell{line, at} : Cell{at, line});
   }
   std::uint64_t step(StateId from, StateId to, unsigned direction) const {
     const auto sum =
@@ -270,32 +232,10 @@ class SideRooms::Finder {
         entries_.push_back({0, number(by_columns, other.line, at)});
       }
     });
-    const bool dearer = !shares_entries() && is_dearer_behind();
+    const bool dearer = is_dearer_behind();
     for (const StateId id : touched_) costs_[id] = 0;
     touched_.clear();
     return dearer;
-  }
-
-  /// Is an entry also one of a room of the other kind? Then neither could be opened alone.
-  bool shares_entries() const {
-    return std::ranges::any_of(entries_,
-                               [&](const Entry& entry) { return rooms_.closed(entry.id); });
-  }
-
-  /// Adds the cells of a run to a room.
-  void add(Room& room, const FoundRun& run) {
-    const Cell first = cell(room.by_columns, run.line, run.begin);
-    const Cell last = cell(room.by_columns, run.line, run.end - 1);
-    if (run.number == room.begin) room.box = {first, first};
-    CellBox& box = room.box;
-    box.begin = {std::min(box.begin.x, first.x), std::min(box.begin.y, first.y)};
-    box.end = {std::max(box.end.x, last.x + 1), std::max(box.end.y, last.y + 1)};
-    for (int at = run.begin; at < run.end; ++at) {
-      const StateId id = number(room.by_columns, run.line, at);
-      inside_[id / 64] |= std::uint64_t{1} << (id % 64);
-      const auto steps = static_cast<std::uint32_t>(CostGrid<Word>::steps(grid_.word(id)));
-      room.least_steps = std::min(room.least_steps, steps);
-    }
   }
 
   /// Dijkstra's algorithm from all cells of the door at once, each at its cost along the door from the first one: so a cell
@@ -344,8 +284,7 @@ class SideRooms::Finder {
 
   SideRooms& rooms_;
   const CostGrid<Word>& grid_;
-  ZeroedTable<std::uint64_t> costs_;   // 0: not reached
-  std::vector<std::uint64_t> inside_;  // of a room: a bit a cell
+  ZeroedTable<std::uint64_t> costs_;  // 0: not reached
   std::vector<StateId> touched_;
   std::vector<StateId> door_;
   std::vector<Entry> entries_;
@@ -359,9 +298,8 @@ SideRooms::SideRooms(const CostGrid<Word>& grid, DeadlineCheck& stop)
   Finder<Word> finder(*this, grid);
   finder.find(free, 0, stop);
   finder.find(free.transposed(), 1, stop);
-  finder.find_least();
-  ends_.insert(ends_.end(), entries_.begin(), entries_.end());
-  std::ranges::sort(ends_);
+  std::ranges::sort(doors_);
+  for (const Room& room : rooms_) set(room, true);
 }
 
 std::uint32_t SideRooms::Runs::number_at(int line, int at) const {
@@ -371,6 +309,7 @@ std::uint32_t SideRooms::Runs::number_at(int line, int at) const {
 }
 
 void SideRooms::close_for(Cell start, std::span<const GoalRegion> goals) {
+  if (rooms_.empty()) return;
   for (const std::uint32_t room : open_) set(rooms_[room], true);
   open_.clear();
   const bool one = goals.size() == 1 && goals.front().is_one_place();
@@ -380,29 +319,6 @@ void SideRooms::close_for(Cell start, std::span<const GoalRegion> goals) {
     if (!one || contains(rooms_[i], here) || contains(rooms_[i], there)) open_.push_back(i);
   }
   for (const std::uint32_t room : open_) set(rooms_[room], false);
-  sum(0);
-  sum(1);
-}
-
-void SideRooms::sum(std::size_t of_rows) {
-  std::vector<std::uint64_t>& sums = sums_[of_rows];
-  sums.assign(least_[of_rows].begin(), least_[of_rows].end());
-  for (const std::uint32_t i : open_) {
-    const Room& room = rooms_[i];
-    const int begin = of_rows != 0 ? room.box.begin.y : room.box.begin.x;
-    const int end = of_rows != 0 ? room.box.end.y : room.box.end.x;
-    for (int at = begin; at < end; ++at) {
-      std::uint64_t& least = sums[static_cast<std::size_t>(at)];
-      least = std::min<std::uint64_t>(least, room.least_steps);
-    }
-  }
-  std::uint64_t before = sums.front();
-  std::uint64_t sum = 0;
-  for (std::uint64_t& at : sums) {
-    const std::uint64_t here = at;
-    at = sum += before + here;
-    before = here;
-  }
 }
 
 void SideRooms::set(const Room& room, bool closed) {

@@ -22,7 +22,6 @@
 
 #include "wend/base/deadline.hpp"
 #include "wend/base/state_id.hpp"
-#include "wend/geometry/cell_box.hpp"
 #include "wend/planner/costs/cost_grid.hpp"
 #include "wend/planner/goal_region.hpp"
 
@@ -41,18 +40,12 @@ class SideRooms {
   /// Is it the first cell behind the door of a closed room?
   bool closed(StateId id) const { return (closed_[id / 64] >> (id % 64) & 1U) != 0; }
 
-  /// For each column (of rows: 1) the least steps of the cells outside of closed rooms, summed for WholeEstimate.
-  std::span<const std::uint64_t> least_sums(std::size_t of_rows) const { return sums_[of_rows]; }
-
-  /// The first cells behind the doors of all rooms. Straight runs have to stop there.
-  std::span<const StateId> entries() const { return entries_; }
-
   /// Do the rooms stay what they are after these changes?
   template <class Word>
   bool outlast(const CostGrid<Word>& grid,
                std::span<const typename CostGrid<Word>::Change> changes) const {
     return std::ranges::none_of(changes, [&](const auto& change) {
-      return grid.became_better(change) || std::ranges::binary_search(ends_, change.id);
+      return grid.became_better(change) || std::ranges::binary_search(doors_, change.id);
     });
   }
 
@@ -79,8 +72,6 @@ class SideRooms {
     std::uint32_t end;
     std::uint32_t first_entry;
     std::uint32_t end_of_entries;
-    CellBox box;  // around it
-    std::uint32_t least_steps;
   };
 
   template <class Word>
@@ -93,17 +84,13 @@ class SideRooms {
     return {lines_[0].number_at(cell.y, cell.x), lines_[1].number_at(cell.x, cell.y)};
   }
   void set(const Room& room, bool closed);
-  void sum(std::size_t of_rows);
 
   std::array<Runs, 2> lines_;  // rows, columns
   std::vector<Room> rooms_;
   std::vector<StateId> entries_;  // the first cells behind their doors
-  std::vector<StateId> ends_;     // these and the cells of all doors, sorted
+  std::vector<StateId> doors_;    // the cells of all doors, sorted
   std::vector<std::uint64_t> closed_;
   std::vector<std::uint32_t> open_;  // rooms, for the present query
-  // By columns, and by rows.
-  std::array<std::vector<std::uint32_t>, 2> least_;  // steps of the cells outside of all rooms
-  std::array<std::vector<std::uint64_t>, 2> sums_;   // those of the present query
 };
 
 }  // namespace wend

@@ -105,35 +105,6 @@ TEST(SideRooms, LieOnNoCheapestPathToElsewhere) {
   EXPECT_GT(closed, test::share_of(2000U));
 }
 
-/// The estimate of WholeEstimate from these sums is at most the cost of a step between any two cells outside.
-TEST(SideRooms, SumTheLeastStepsOfOpenCells) {
-  for (std::uint64_t seed = 1; seed <= test::share_of(500U) && !HasFailure(); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const FreeSpace space = random_space(random);
-    if (space.uniform_terrain() || space.passable().count() == 0) continue;
-    const CostGrid<std::uint64_t> grid(space, {});
-    SideRooms rooms(grid);
-    const Cell start = free_cell_of(space, random);
-    const GoalRegion goal(free_cell_of(space, random));
-    rooms.close_for(start, {&goal, 1});
-    const FreeSpace rest = without_closed(space, grid, rooms);
-    const std::vector<std::uint64_t> reached = units_from(rest, {}, start);
-    for (const Cell cell : every_cell(rest.map())) {
-      if (reached[static_cast<std::size_t>(cell.y * space.width() + cell.x)] == test::kNoUnits)
-        continue;
-      const std::uint64_t steps = space.costs().steps(cell);
-      for (const Cell next : {Cell{cell.x + 1, cell.y}, Cell{cell.x, cell.y + 1}}) {
-        if (next.x == space.width() || next.y == space.height() || !rest.passable(next)) continue;
-        const std::size_t by_row = next.y != cell.y ? 1 : 0;
-        const auto sums = rooms.least_sums(by_row);
-        const auto at = static_cast<std::size_t>(by_row != 0 ? cell.y : cell.x);
-        ASSERT_LE(sums[at + 1] - sums[at], steps + space.costs().steps(next));
-      }
-    }
-  }
-}
-
 /// Enough queries for rooms to be closed, and edits between them.
 TEST(SideRooms, DoNotChangeTheCostsOfSearches) {
   int found = 0;

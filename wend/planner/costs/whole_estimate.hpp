@@ -3,8 +3,8 @@
 // WholeEstimate: the heuristic of a search in whole numbers on a CostGrid.
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
 #include "wend/planner/goal_cells.hpp"
@@ -12,31 +12,24 @@
 
 namespace wend {
 
-/// An estimate that is a sum of straight and diagonal steps, in the Units of the cheapest cell, or of the cheapest cells
-/// of each column and row.
+/// An estimate that is a sum of straight and diagonal steps, in the Units of the cheapest cell.
 template <class Units>
 class WholeEstimate {
  public:
   WholeEstimate(const BestFirst& parts, std::uint64_t least_steps)
-      : kind_(parts.weight > 0 ? parts.heuristic : HeuristicKind::zero),
-        constant_(parts.constant),
-        longer_(kind_ == HeuristicKind::manhattan || kind_ == HeuristicKind::octile
-                    ? Units::kStraight
-                    : 0),
-        shorter_(kind_ == HeuristicKind::octile ? Units::kDiagonal - Units::kStraight : longer_),
-        least_step_(2 * least_steps) {}
+      : kind_(parts.weight > 0 ? parts.heuristic : HeuristicKind::zero), constant_(parts.constant) {
+    set_least_steps(least_steps);
+  }
 
   /// The steps of the cheapest cell.
   void set_least_steps(std::uint64_t least_steps) {
-    least_step_ = 2 * least_steps;
-    columns_ = rows_ = {};
-  }
-
-  /// The same where columns and rows differ: for each, the sum of least_steps over the moves from the first one to it and
-  /// over both ends of each. They must live as long as they are in use.
-  void set_least_sums(std::span<const std::uint64_t> columns, std::span<const std::uint64_t> rows) {
-    columns_ = columns;
-    rows_ = rows;
+    const std::uint64_t straight = 2 * least_steps * Units::kStraight;
+    const std::uint64_t diagonal = 2 * least_steps * Units::kDiagonal;
+    if (kind_ == HeuristicKind::manhattan) longer_ = shorter_ = straight;
+    if (kind_ == HeuristicKind::octile) {
+      longer_ = straight;
+      shorter_ = diagonal - straight;
+    }
   }
 
   void begin(std::span<const GoalRegion> goals) { goals_.assign(goals); }
@@ -44,8 +37,8 @@ class WholeEstimate {
 
   std::uint64_t units(Cell cell) const {
     return goals_.least(cell, [&](Cell goal) {
-      const std::uint64_t dx = between(columns_, cell.x, goal.x);
-      const std::uint64_t dy = between(rows_, cell.y, goal.y);
+      const auto dx = static_cast<std::uint64_t>(std::abs(cell.x - goal.x));
+      const auto dy = static_cast<std::uint64_t>(std::abs(cell.y - goal.y));
       return longer_ * std::max(dx, dy) + shorter_ * std::min(dx, dy);
     });
   }
@@ -57,20 +50,10 @@ class WholeEstimate {
   }
 
  private:
-  std::uint64_t between(std::span<const std::uint64_t> sums, int from, int to) const {
-    const int low = std::min(from, to);
-    const int high = std::max(from, to);
-    if (sums.empty()) return least_step_ * static_cast<std::uint64_t>(high - low);
-    return sums[static_cast<std::size_t>(high)] - sums[static_cast<std::size_t>(low)];
-  }
-
   HeuristicKind kind_;
   double constant_;
-  std::uint64_t longer_;
-  std::uint64_t shorter_;
-  std::uint64_t least_step_;
-  std::span<const std::uint64_t> columns_;
-  std::span<const std::uint64_t> rows_;
+  std::uint64_t longer_ = 0;
+  std::uint64_t shorter_ = 0;
   GoalCells goals_;
 };
 
