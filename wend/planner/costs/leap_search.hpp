@@ -19,6 +19,7 @@
 #include "wend/planner/costs/leap_rounds.hpp"
 #include "wend/planner/costs/run_node.hpp"
 #include "wend/planner/costs/run_stops.hpp"
+#include "wend/planner/costs/side_rooms.hpp"
 #include "wend/planner/costs/whole_estimate.hpp"
 #include "wend/space/grid/octile.hpp"
 
@@ -44,9 +45,12 @@ class LeapSearch final : public IntegerSearch {
              SearchObserver* observer) override {
     overflown_ = false;
     best_ = kNoCost;
+    expanded_before_ += metrics().expanded;
     if (!begin_counting(limits, observer)) return;
     nodes_.begin_search();
     catch_up();
+    prepare_rooms(limits);
+    if (rooms_ != nullptr) rooms_->close_for(start, goals);
     estimate_.begin(goals);
     stops_.set_goals(goals);
     const StateId id = grid().number(start);
@@ -137,6 +141,7 @@ class LeapSearch final : public IntegerSearch {
 
   static constexpr bool is_diagonal_move(unsigned move) { return (move & 1U) != 0; }
 
+  static constexpr double kExpansionsPerState = 0.25;
   static constexpr StateId kFewestToPrefetch = 1U << 17U;
   static constexpr std::uint64_t kNoCost = UINT64_MAX;
   static constexpr std::uint64_t kMostCost = std::numeric_limits<Cost>::max() / 2;
@@ -179,8 +184,21 @@ class LeapSearch final : public IntegerSearch {
     if (landmarks_ != nullptr && (!changes || Landmarks::may_fall(grid(), *changes))) {
       landmarks_.reset();
     }
+    if (!changes || (rooms_ != nullptr && !rooms_->outlast(grid(), *changes))) {
+      rooms_.reset();
+      expanded_before_ = 0;
+    }
     log_position_ = grid().log_end();
     estimate_.set_least_steps(grid().least_steps());
+  }
+
+  /// Once searches have taken several times as long.
+  void prepare_rooms(const Limits& limits) {
+    if (rooms_ != nullptr || expanded_before_ < grid().state_count() * kExpansionsPerState) return;
+    const Deadline deadline(limits);
+    DeadlineCheck stop(&deadline);
+    rooms_ = std::make_unique<SideRooms>(grid(), stop);
+    if (stop.has_passed()) rooms_.reset();
   }
 
   std::uint64_t estimate(Cell cell, StateId id) const {
@@ -471,6 +489,7 @@ class LeapSearch final : public IntegerSearch {
     Node& node = nodes_[id];
     const bool reached = nodes_.reached(node);
     if (reached && node.g <= g) return;
+    if (rooms_ != nullptr && rooms_->closed(id)) return;
     const std::uint64_t h = estimate(cell, id);
     const std::uint64_t f = g + h;
     if (f >= best_) return;
@@ -512,6 +531,8 @@ class LeapSearch final : public IntegerSearch {
   bool cuts_corners_;
   bool prefetches_;  // on maps that the caches near a core do not hold
   RunStops stops_;
+  std::unique_ptr<SideRooms> rooms_;   // null until they are prepared
+  std::uint64_t expanded_before_ = 0;  // by searches since the rooms were lost
   NodeTable<Node, 16> nodes_;
   Queue queue_;
   bool overflown_ = false;
