@@ -20,6 +20,7 @@ class DiscSweep {
 
   bool fits_at(Point point) const {
     const Cell cell = nearest_cell(space_, point);
+    if (point == centre_of(cell)) return space_.passable(cell);
     const double clearance = near_clearance(space_, cell);
     const double from_centre = distance(point, centre_of(cell));
     if (far_enough(clearance - from_centre)) return true;

@@ -1,9 +1,11 @@
 #include "wend/robot/sweep/fits_along.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/robot/near_map.hpp"
+#include "wend/robot/sweep/disc_rows.hpp"
 #include "wend/robot/sweep/disc_sweep.hpp"
 #include "wend/robot/sweep/point_sweep.hpp"
 #include "wend/robot/sweep/polygon_sweep.hpp"
@@ -14,7 +16,9 @@ bool disc_fits_along(const FreeSpace& space, const Line& line, Adjacency adjacen
   if (space.is_point()) return PointSweep(space, line.from, adjacency).go_to(line.to);
   if (!near_map(space, line)) return false;
   const DiscSweep sweep(space);
-  return sweep.fits_at(line.from) && sweep.fits(line);
+  if (!sweep.fits_at(line.from) || !sweep.fits_at(line.to)) return false;
+  const std::optional<bool> fits = disc_fits_by_rows(space, line);
+  return fits ? *fits : sweep.fits(line);
 }
 
 bool disc_fits_along(const FreeSpace& space, const Arc& arc, Adjacency adjacency) {

@@ -17,9 +17,10 @@
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
 //   if (wend::fits_along(space, arc)) length += arc.length;
 //
-// O(1) for each piece that the clearance of a cell decides, else O(cells within the radius), for a
-// polygon times its corners. Where a turning polygon nearly touches, this is repeated as often as the
-// tolerance fits into the way of its farthest corner.
+// A disc along a line: O(rows that it passes + cells passed / 64). Others: O(1) for each piece that the
+// clearance of a cell decides, else O(cells within the radius), for a polygon times its corners. Where a
+// turning polygon nearly touches, this is repeated as often as the tolerance fits into the way of its
+// farthest corner.
 
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/line.hpp"

@@ -24,9 +24,9 @@ namespace wend {
 
 /// The cell of the map that is nearest to a point; for NaN the first one.
 inline Cell nearest_cell(const FreeSpace& space, Point point) {
-  // In this order, std::max() takes 0 for NaN.
-  return {static_cast<int>(std::min(std::max(0.0, std::floor(point.x)), space.width() - 1.0)),
-          static_cast<int>(std::min(std::max(0.0, std::floor(point.y)), space.height() - 1.0))};
+  // In this order, std::max() takes 0 for NaN. What is not negative, a conversion rounds down.
+  return {static_cast<int>(std::min(std::max(0.0, point.x), space.width() - 1.0)),
+          static_cast<int>(std::min(std::max(0.0, point.y), space.height() - 1.0))};
 }
 
 /// Does any obstacle satisfy the predicate? Tests all obstacles that reach into the box, row by row, and
