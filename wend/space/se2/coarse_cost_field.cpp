@@ -13,12 +13,17 @@ constexpr double kNoWay = std::numeric_limits<double>::infinity();
 constexpr float kBucketWidth = 0.25F;   // squares
 constexpr float kWorthwhile = 0.9995F;  // a smaller gain is not worth another round
 
-/// The upwind solution for a square of cost `cost` between its cheaper neighbours along both axes.
-float upwind(float a, float b, float cost) {
+/// The upwind solution for a square of cost `cost` between its cheaper neighbours along both axes; `before` if it is
+/// clear without a square root that it is no gain over that.
+float upwind(float a, float b, float cost, float before) {
+  constexpr float kClearly = 0.9998F;  // nearer to 1 than kWorthwhile, by far more than rounding
   const float low = std::min(a, b);
   const float gap = std::max(a, b) - low;
   if (!(gap < cost)) return low + cost;
-  return (a + b + std::sqrt(2 * cost * cost - gap * gap)) / 2;
+  const float rest = 2 * cost * cost - gap * gap;
+  const float least_gain = 2 * before * kClearly - (a + b);
+  if (!(least_gain > 0) || least_gain * least_gain <= rest) return before;
+  return (a + b + std::sqrt(rest)) / 2;
 }
 
 }  // namespace
@@ -27,16 +32,17 @@ CoarseCostField::CoarseCostField(const CoarseGrid& grid)
     : grid_(grid),
       values_(grid.count(), kUnknown),
       settled_flags_(grid.count(), 0),
+      touched_(std::make_unique_for_overwrite<std::uint32_t[]>(grid.count() + 1)),
       per_width_(1 / (kBucketWidth * static_cast<float>(grid.size()))),
       size_(static_cast<float>(grid.size())) {}
 
 void CoarseCostField::begin(std::span<const Seed> goals, Point start, std::function<bool()> stop) {
   stop_ = std::move(stop);
-  for (const std::uint32_t square : touched_) {
-    values_[square] = kUnknown;
-    settled_flags_[square] = 0;
+  for (std::size_t i = 0; i < touched_count_; ++i) {
+    values_[touched_[i]] = kUnknown;
+    settled_flags_[touched_[i]] = 0;
   }
-  touched_.clear();
+  touched_count_ = 0;
   queue_.begin(0, 0);
   bucket_.clear();
   taken_ = settled_ = 0;
@@ -108,7 +114,8 @@ float CoarseCostField::key(std::uint32_t column, std::uint32_t row, float value)
                                                             std::uint32_t square, float value) {
   const float before = values_[square];
   if (!(value < before * kWorthwhile)) return;
-  if (before == kUnknown) touched_.push_back(square);
+  touched_[touched_count_] = square;
+  touched_count_ += before == kUnknown ? 1 : 0;
   values_[square] = value;
   const float ahead = std::max(0.0F, (key(column, row, value) - first_key_) * per_width_);
   const auto bucket = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::min(ahead, 1e15F)));
@@ -145,7 +152,7 @@ inline float CoarseCostField::updated(std::uint32_t square) const {
   const float along =
       std::min(value(CoarseGrid::kRight, 1), value(CoarseGrid::kLeft, -std::size_t{1}));
   const float across = std::min(value(CoarseGrid::kAbove, up), value(CoarseGrid::kBelow, -up));
-  return upwind(along, across, grid_.multiplier(square) * size_);
+  return upwind(along, across, grid_.multiplier(square) * size_, values_[square]);
 }
 
 /// A neighbour that is as cheap gains nothing.

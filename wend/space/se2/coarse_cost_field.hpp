@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -86,7 +87,8 @@ class CoarseCostField {
   const CoarseGrid& grid_;
   std::vector<float> values_;
   std::vector<std::uint8_t> settled_flags_;
-  std::vector<std::uint32_t> touched_;
+  std::unique_ptr<std::uint32_t[]> touched_;  // the squares that have got a value
+  std::size_t touched_count_ = 0;
   BucketQueue<Waiting, NewestFirst, 256> queue_;
   std::vector<Waiting> bucket_;  // the current one
   std::size_t taken_ = 0;        // from its front

@@ -29,9 +29,13 @@ FreeSpace random_space(Random& random) {
     }
   }
   const double radius = random.chance(0.5) ? 0 : 2 * random.uniform();
-  return *make_free_space(*make_grid_map(states), {.footprint = Footprint::disc(radius),
+  const bool squeezes = random.chance(0.3);  // a polygon gets where its disc does not
+  const Footprint footprint =
+      squeezes ? *Footprint::rectangle(3, 1 + random.uniform(), 2) : Footprint::disc(radius);
+  const double cost = random.chance(0.5) ? 3 : 5 * random.uniform();
+  return *make_free_space(*make_grid_map(states), {.footprint = footprint,
                                                    .clearance_distance = costs ? 2.5 : 0,
-                                                   .clearance_cost = costs ? 3.0 : 0});
+                                                   .clearance_cost = costs ? cost : 0});
 }
 
 Grid<CellState> states_of(const GridMap& map) {

@@ -112,15 +112,8 @@ double OutlineClearance::of_corner(const FreeSpace& space, Point corner, double 
   return std::min(near, std::sqrt(least));
 }
 
-/// How far an obstacle's corner is outside the edges that it is farthest outside of; `most` or more is as good as that.
-double OutlineClearance::outside(const Pose& pose, const SineCosine& turn, const Corner& corner,
-                                 double most) const {
-  const double dx = static_cast<double>(corner.x) - pose.x;
-  const double dy = static_cast<double>(corner.y) - pose.y;
-  const double far = reach(most);
-  if (dx * dx + dy * dy > far * far) return most;
-  const double ahead = turn.cosine * dx + turn.sine * dy;
-  const double aside = turn.cosine * dy - turn.sine * dx;
+/// How far a point is outside the edges that it is farthest outside of; `most` or more is as good as that.
+double OutlineClearance::outside(double ahead, double aside, double most) const {
   double outside = -std::numeric_limits<double>::infinity();
   for (const Edge& edge : edges_) {
     outside = std::max(outside, edge.normal.x * ahead + edge.normal.y * aside - edge.offset);
@@ -130,8 +123,7 @@ double OutlineClearance::outside(const Pose& pose, const SineCosine& turn, const
 }
 
 double OutlineClearance::at(const FreeSpace& space, const Pose& pose, double most) const {
-  const SineCosine turn = sine_and_cosine(pose.heading);
-  const auto [sine, cosine] = turn;
+  const auto [sine, cosine] = sine_and_cosine(pose.heading);
   double least = most;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Point low{kFar, kFar};
@@ -151,10 +143,17 @@ double OutlineClearance::at(const FreeSpace& space, const Pose& pose, double mos
   const int last_row = tile_at(high.y + least, rows_);
   const int first = tile_at(low.x - least, static_cast<int>(columns_));
   const int last = tile_at(high.x + least, static_cast<int>(columns_));
+  double squared_reach = reach(least) * reach(least);
   for (int row = first_row; row <= last_row; ++row) {
     const std::uint32_t end = tiles_[tile_of(last, row) + 1];
     for (std::uint32_t i = tiles_[tile_of(first, row)]; i < end; ++i) {
-      least = std::min(least, outside(pose, turn, corners_[i], least));
+      const double dx = static_cast<double>(corners_[i].x) - pose.x;
+      const double dy = static_cast<double>(corners_[i].y) - pose.y;
+      if (dx * dx + dy * dy > squared_reach) continue;
+      const double far = outside(cosine * dx + sine * dy, cosine * dy - sine * dx, least);
+      if (far >= least) continue;
+      least = far;
+      squared_reach = reach(least) * reach(least);
     }
     if (least <= 0) return least;
   }

@@ -13,7 +13,6 @@
 
 #include "wend/geometry/polygon.hpp"
 #include "wend/geometry/pose.hpp"
-#include "wend/geometry/trigonometry.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
@@ -49,10 +48,10 @@ class OutlineClearance {
     float y;
   };
 
-  /// How far an obstacle's corner that is less than some distance outside all edges may be from the base point.
+  /// How far a point that is less than some distance outside all edges may be from the base point.
   double reach(double outside) const { return farthest_ + mitre_ * outside; }
   double of_corner(const FreeSpace& space, Point corner, double most) const;
-  double outside(const Pose& pose, const SineCosine& turn, const Corner& corner, double most) const;
+  double outside(double ahead, double aside, double most) const;
   std::size_t tile_of(int column, int row) const {
     return static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column);
   }
