@@ -13,8 +13,8 @@
 // it. Buckets are not sorted, so the path of a round with weight w can cost more than w times the least cost: the
 // round is repeated, with the cells that waited, until the bound is at most w.
 //
-// Where cells have been expanded again and again, the last round comes at once: each further round would add to the
-// work until the optimum is proven, and little else.
+// Once there is a first path, and many expansions were of cells that had been expanded before, the last round comes at
+// once: other rounds would add to the work until the optimum is proven, and little else.
 
 #include <algorithm>
 #include <bit>
@@ -84,9 +84,9 @@ class LeapRounds {
   bool goal_is_due() const { return goal_is_due_; }
   void set_goal_due(bool is) { goal_is_due_ = is; }
 
-  /// Was so much of the work done before that the last round has to come?
+  /// Has the last round to come before this one is over? The first path, with its bound, is waited for.
   bool hurries(std::uint64_t expanded) const {
-    return weight_ > weights_.last && kMostRepeated * repeated_ > expanded - repeated_;
+    return weight_ > weights_.last && weight_ < weights_.first && repeats(expanded);
   }
 
   /// Ends rounds until there is something to expand, or nothing that could improve the path.
@@ -123,6 +123,11 @@ class LeapRounds {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::min(value, kMostWhole)));
   }
 
+  /// Was much of the work done before?
+  bool repeats(std::uint64_t expanded) const {
+    return kMostRepeated * repeated_ > expanded - repeated_;
+  }
+
   /// Begins a round with an empty queue.
   void weigh(auto& search, double weight) {
     constexpr unsigned kBuckets = 1024;  // that the weighted estimate at the start is wide
@@ -138,9 +143,10 @@ class LeapRounds {
 
   double next_weight(const auto& search) const {
     if (!search.has_path()) return weight_;
-    if (hurries(search.metrics().expanded)) return weights_.last;
+    const std::uint64_t expanded = search.metrics().expanded;
     const double proven = bound(search.best_);
-    if (proven > weight_ * kRounding) return weight_;
+    if (proven > weight_ * kRounding) return hurries(expanded) ? weights_.last : weight_;
+    if (repeats(expanded)) return weights_.last;
     return std::max(weights_.last, std::min(weight_, proven) - weights_.step);
   }
 
