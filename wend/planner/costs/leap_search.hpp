@@ -141,7 +141,8 @@ class LeapSearch final : public IntegerSearch {
 
   static constexpr bool is_diagonal_move(unsigned move) { return (move & 1U) != 0; }
 
-  static constexpr double kExpansionsPerState = 0.25;
+  static constexpr std::uint64_t kStatesPerExpansion =
+      4;  // which rooms are found in while one is expanded
   static constexpr StateId kFewestToPrefetch = 1U << 17U;
   static constexpr std::uint64_t kNoCost = UINT64_MAX;
   static constexpr std::uint64_t kMostCost = std::numeric_limits<Cost>::max() / 2;
@@ -192,9 +193,10 @@ class LeapSearch final : public IntegerSearch {
     estimate_.set_least_steps(grid().least_steps());
   }
 
-  /// Once searches have taken several times as long.
+  /// Once searches have taken about as long. Searches in rounds do without: each path on the way would depend on it.
   void prepare_rooms(const Limits& limits) {
-    if (rooms_ != nullptr || expanded_before_ < grid().state_count() * kExpansionsPerState) return;
+    if (kInRounds || rooms_ != nullptr) return;
+    if (expanded_before_ < grid().state_count() / kStatesPerExpansion) return;
     const Deadline deadline(limits);
     DeadlineCheck stop(&deadline);
     rooms_ = std::make_unique<SideRooms>(grid(), stop);
