@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <type_traits>
 #include <vector>
 
@@ -21,6 +22,23 @@
 #include "wend/sight/sight_point.hpp"
 
 namespace wend {
+
+/// Where a taut path goes on that came to a corner along a ray: into one of the corner's two quadrants, and there to the
+/// left of the ray, to the right of it, or both, the ray included.
+struct WayOn {
+  bool high;
+  bool left;
+  bool right;
+
+  WayOn(const TautCorner& corner, Ray ray);
+};
+
+/// Does a ray through a corner lie in the upper one of its two quadrants? One along the row lies in the one on its
+/// side.
+inline bool is_high(const TautCorner& corner, Ray ray) {
+  if (ray.y != 0) return ray.y > 0;
+  return (ray.x > 0) == (corner.rising == 1);
+}
 
 class CornerSweep {
  public:
@@ -61,6 +79,41 @@ class CornerSweep {
     sweep<Side::above>(up, viewer, tell, see);
     sweep<Side::below>(down, viewer, tell, see);
     along_the_row(corner, id, tell);
+  }
+
+  /// The same as without See, for what lies ahead of a path that came along a ray.
+  template <class Tell>
+  void from_corner_ahead(std::uint32_t id, Ray ray, Tell&& tell) {
+    const TautCorner& corner = portals_->corners()[id];
+    const Portal& portal = portals_->portal(corner.portal);
+    const WayOn on(corner, ray);
+    const Viewer viewer{2 * std::int64_t{corner.x}, corner.y, 2};
+    const bool is_right = on.high == (corner.rising == 1);  // the quadrant
+    Cone ahead{on.high ? portal.above : portal.below,
+               2,
+               {is_right ? 0 : -kFar, 1},
+               {is_right ? kFar : 0, 1},
+               false,
+               false};
+    // Left of a ray that leads downwards lies what is right on the map.
+    const bool goes_left = on.high ? on.left : on.right;
+    const bool goes_right = on.high ? on.right : on.left;
+    const Ray along{ray.x, std::abs(ray.y)};
+    if (along.y != 0 && !goes_left) ahead.left = along;
+    if (along.y != 0 && !goes_right) ahead.right = along;
+    if (along.y != 0 || (is_right ? goes_left : goes_right)) {
+      if (on.high) {
+        sweep<Side::above>(ahead, viewer, tell, SeeNothing{});
+      } else {
+        sweep<Side::below>(ahead, viewer, tell, SeeNothing{});
+      }
+    }
+    const auto tell_ahead = [&](std::uint32_t other, Ray to) {
+      const std::int64_t turn = cross(ray, to);
+      if (is_high(corner, to) != on.high) return;
+      if ((turn >= 0 && on.left) || (turn <= 0 && on.right)) tell(other, to);
+    };
+    along_the_row(corner, id, tell_ahead);
   }
 
  private:
@@ -216,7 +269,7 @@ class CornerSweep {
 
   /// The next corner on either side of a corner, in its row, along a wall or through the opening.
   template <class Tell>
-  void along_the_row(const TautCorner& corner, std::uint32_t id, Tell& tell) const {
+  void along_the_row(const TautCorner& corner, std::uint32_t id, const Tell& tell) const {
     const std::uint32_t number = corner.portal;
     const Portal& portal = portals_->portal(number);
     const SightRun& low = portals_->run(portal.below);

@@ -24,23 +24,19 @@ Ray towards(BlockedCell cell) {
   return {0, 0};
 }
 
-/// Does a ray through a corner lie in the upper one of its two quadrants? One along the row lies in the one on its
-/// side.
-bool is_high(const TautCorner& corner, Ray ray) {
-  if (ray.y != 0) return ray.y > 0;
-  return (ray.x > 0) == (corner.rising == 1);
-}
-
-double length_of(Ray ray) {
-  const auto x = static_cast<double>(ray.x);
-  const auto y = static_cast<double>(ray.y);
-  return std::sqrt(x * x + y * y) / 2;
-}
-
 }  // namespace
 
+WayOn::WayOn(const TautCorner& corner, Ray ray) : high(is_high(corner, ray)) {
+  const bool is_gap = corner.blocked_cell() == BlockedCell::gap;
+  left = is_gap || cross(ray, towards(corner.blocked_cell())) > 0;
+  right = is_gap || !left;
+}
+
 TautGraph::TautGraph(std::shared_ptr<const Portals> portals)
-    : portals_(std::move(portals)), sweep_(*portals_), fans_(portals_->corners().size()) {}
+    : portals_(std::move(portals)),
+      sweep_(*portals_),
+      fans_(portals_->corners().size()),
+      glances_(fans_.size()) {}
 
 const TautGraph::Fan& TautGraph::fan(std::uint32_t corner) {
   if (fans_[corner].begin == kUnknown) learn(corner, [](int, int, int) {});
@@ -60,7 +56,7 @@ void TautGraph::end_fan(std::uint32_t corner) {
   const auto append = [this](std::vector<Seen>& seen) {
     std::ranges::sort(seen, [](const Seen& a, const Seen& b) { return cross(a.ray, b.ray) > 0; });
     for (const auto& [other, ray] : seen) {
-      edges_.push_back({other, kUnknown, 0, 0, 0, length_of(ray)});
+      edges_.push_back({other, kUnknown, 0, 0, 0, length_from_corner(ray)});
     }
     return static_cast<std::uint32_t>(edges_.size());
   };
@@ -126,20 +122,18 @@ TautGraph::Edges TautGraph::ahead_of(std::uint32_t corner, Ray ray) {
 }
 
 TautGraph::Edges TautGraph::ahead_in(const Fan& all, std::uint32_t corner, Ray ray) const {
-  const TautCorner& at = portals_->corners()[corner];
-  const bool high = is_high(at, ray);
-  const std::uint32_t begin = high ? all.begin : all.middle;
-  const std::uint32_t end = high ? all.middle : all.end;
-  if (at.blocked_cell() == BlockedCell::gap) return {begin, end};
-  const bool turns_left = cross(ray, towards(at.blocked_cell())) > 0;
+  const WayOn on(portals_->corners()[corner], ray);
+  const std::uint32_t begin = on.high ? all.begin : all.middle;
+  const std::uint32_t end = on.high ? all.middle : all.end;
+  if (on.left && on.right) return {begin, end};
   const auto first = edges_.begin() + begin;
   const auto last = edges_.begin() + end;
   const auto split = std::partition_point(first, last, [&](const Edge& edge) {
     const std::int64_t angle = cross(ray, ray_of(corner, edge));
-    return turns_left ? angle < 0 : angle <= 0;
+    return on.left ? angle < 0 : angle <= 0;
   });
   const auto middle = static_cast<std::uint32_t>(split - edges_.begin());
-  return turns_left ? Edges{middle, end} : Edges{begin, middle};
+  return on.left ? Edges{middle, end} : Edges{begin, middle};
 }
 
 TautGraph::Edges TautGraph::ahead(std::uint32_t edge_id, Ray ray) {

@@ -29,19 +29,23 @@ void TautSearch::learn(std::shared_ptr<const TautMap> map) {
 }
 
 std::uint64_t TautSearch::take_looks() {
-  const std::uint64_t all = looks_ + (learned_ ? learned_->known() : 0);
+  const std::uint64_t all = looks_ + (learned_ ? learned_->looks() : 0);
   return all - std::exchange(counted_, all);
+}
+
+Ray TautSearch::ray_into(Id id, const Node& node) const {
+  if (is_start(node.parent)) return ray_to(id, start_);
+  const TautCorner& at = corner(id);
+  const TautCorner& from = corner(node.parent);
+  return {std::int64_t{at.x} - from.x, std::int64_t{at.y} - from.y};
 }
 
 TautGraph::Edges TautSearch::ahead_of(Id id, const Node& node) {
   if (node.edge == kNone) {
-    const Ray ray = ray_to(id, start_);
+    const Ray ray = ray_into(id, node);
     return learned_ ? learned_->ahead_of(id, ray) : graph_->known_ahead_of(id, ray);
   }
-  if (!learned_) return graph_->known_ahead(node.edge);
-  const TautCorner& at = corner(id);
-  const TautCorner& from = corner(node.parent);
-  return learned_->ahead(node.edge, {std::int64_t{at.x} - from.x, std::int64_t{at.y} - from.y});
+  return learned_ ? learned_->ahead(node.edge, ray_into(id, node)) : graph_->known_ahead(node.edge);
 }
 
 void TautSearch::begin_generation() {

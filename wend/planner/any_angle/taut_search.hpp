@@ -97,7 +97,7 @@ class TautSearch {
     double g = 0;
     double f = kClosed;
     Id parent = kNone;
-    std::uint32_t edge = kNone;      // by which it was reached, if from a corner
+    std::uint32_t edge = kNone;      // by which it was reached, if it is known
     std::uint32_t generation = 0;    // of the search that reached it
     std::uint32_t sees_goal_in = 0;  // the last search in which it has seen a goal
   };
@@ -157,6 +157,8 @@ class TautSearch {
   /// Calls tell(corner, how far it is) for the corners that a start or goal sees.
   template <class Tell>
   void look_around(const SightPoint& end, Tell&& tell);
+  /// That by which the search came to a corner.
+  Ray ray_into(Id id, const Node& node) const;
   TautGraph::Edges ahead_of(Id id, const Node& node);
 
   std::shared_ptr<const Portals> portals_;
@@ -312,6 +314,11 @@ void TautSearch::expand_corner(Id id, Watcher& watcher) {
   if (sees_goal(id)) {
     const GoalInSight& sight = goals_in_sight_[id];
     reach(goal_id(sight.goal), node.g + sight.length, id, kNone, watcher);
+  }
+  if (learned_ && learned_->is_seldom_asked(id)) {
+    return learned_->glance_ahead(id, ray_into(id, node), [&](Id next, double length) {
+      reach(next, node.g + length, id, kNone, watcher);
+    });
   }
   const TautGraph::Edges ahead = ahead_of(id, node);
   for (std::uint32_t i = ahead.begin; i < ahead.end; ++i) {
