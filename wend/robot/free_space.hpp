@@ -181,8 +181,8 @@ class WEND_API FreeSpace {
     const CappedDistances& near = data_->distances;
     return !near.empty() && near[cell] >= squared_half_cells;
   }
-  /// The cells whose squared clearance, in half-cells, is at least `least`, which is at most that of far_enough().
-  /// O(cells / 8) if the robot needs distances.
+  /// The cells that are not blocked and whose squared clearance, in half-cells, is at least `least`: at most that from
+  /// which on it is far_enough(). O(cells / 8) if the robot needs distances.
   BitGrid cells_clear_by(double least) const;
   /// The same as Obstacles::squared_half_cell_clearance() of all cells.
   const Grid<std::uint32_t>& squared_half_cell_clearance() const {

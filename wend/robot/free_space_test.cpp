@@ -144,6 +144,21 @@ TEST(FreeSpace, KnowsTheExactClearance) {
   });
 }
 
+TEST(FreeSpace, SelectsTheCellsThatAreClear) {
+  for_random_samples(200, [](const Sample& /*sample*/, const FreeSpace& space) {
+    for (const double share : {0.0, 0.4, 0.8, 1.0}) {
+      const double radius = share * space.radius_in_cells();
+      const double least = 4 * radius * radius * (1 - 1e-9);
+      const BitGrid clear = space.cells_clear_by(least);
+      for (const Cell cell : test::all_cells(space.width(), space.height())) {
+        const bool blocked = space.obstacles().blocked()[cell];
+        ASSERT_EQ(clear[cell],
+                  !blocked && space.squared_half_cell_clearance(cell, kNoObstacle) >= least);
+      }
+    }
+  });
+}
+
 TEST(FreeSpace, SaysWhyACellIsBlocked) {
   for_random_samples(200, [](const Sample& sample, const FreeSpace& space) {
     for (int y = -1; y <= space.height(); ++y) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "wend/geometry/trigonometry.hpp"
 #include "wend/map/row_bits.hpp"
@@ -33,36 +31,6 @@ void take_multipliers(const FreeSpace& space, const BitGrid& cells, const CellBo
       least = std::min(least, static_cast<float>(driving_multiplier(space, cell)));
     }
   }
-}
-
-/// The squared distance from which on a cell costs no more than its length, in half-cells, if otherwise the farthest
-/// cell from obstacles costs least; else nothing.
-std::optional<std::uint32_t> plain_clearance(const FreeSpace& space) {
-  const Robot& robot = space.robot();
-  const double squeezed = CostMap::kOne * (1 + robot.clearance_cost);
-  // Rounded costs of other cells may be above that of cells in which the robot's disc does not fit.
-  if (!space.map().uniform_terrain() || squeezed != std::floor(squeezed)) return std::nullopt;
-  const double reach =
-      space.radius_in_cells() + robot.clearance_distance / space.map().frame().resolution;
-  return threshold_of(4 * reach * reach + 1);
-}
-
-/// The same with one look at each cell.
-void take_farthest(const FreeSpace& space, const BitGrid& cells, const CellBox& box,
-                   std::uint32_t plain, float& least) {
-  std::uint32_t most = 0;
-  Cell farthest = box.begin;
-  for (int y = box.begin.y; y < box.end.y && most < plain; ++y) {
-    auto bits = row_bits(cells.row_words(y), box.begin.x, box.width());
-    for (; bits != 0 && most < plain; bits &= bits - 1) {
-      const Cell cell{box.begin.x + std::countr_zero(bits), y};
-      const std::uint32_t clearance = space.squared_half_cell_clearance(cell, plain);
-      if (clearance < most) continue;
-      most = clearance;
-      farthest = cell;
-    }
-  }
-  least = static_cast<float>(driving_multiplier(space, farthest));
 }
 
 /// Calls visit(y) for every `step`-th row of cells, and asks stop() every some ten thousand cells whether it must end.
@@ -125,16 +93,13 @@ void CoarseGrid::take_rows(const FreeSpace& space, const BitGrid& drivable, int 
     }
   }
   const bool same = costs_nothing_more(space);
-  const auto plain = plain_clearance(space);
   std::size_t square = index(0, y / size_);
   for (int x = 0; x < space.width(); x += size_, ++square) {
     if (row_bits(any, x, size_) == 0) continue;
     if (same) {
       multipliers_[square] = 1;
-    } else if (const CellBox box{{x, y}, {x + size_, end}}; plain) {
-      take_farthest(space, drivable, box, *plain, multipliers_[square]);
     } else {
-      take_multipliers(space, drivable, box, multipliers_[square]);
+      take_multipliers(space, drivable, {{x, y}, {x + size_, end}}, multipliers_[square]);
     }
     if (row_bits(across, x + size_ - 1, 1) != 0) {
       sides_[square] |= kRight;
