@@ -6,12 +6,12 @@
 #include <memory>
 #include <type_traits>
 
-#include "wend/jump/noise.hpp"
 #include "wend/planner/costs/leap_engine.hpp"
 #include "wend/planner/grid/best_first.hpp"
 #include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/planner/jump/prepared_jumps.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/search_engine.hpp"
 
@@ -79,7 +79,8 @@ std::unique_ptr<GridEngine> make_engine(const FreeSpace& space, const AraStarOpt
 GridPlanner::Parts ara_star_parts(const FreeSpace& space, const AraStarOptions& options,
                                   DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
-  const bool noise = space.uniform_terrain() && is_noise(space.passable());
+  const bool noise =
+      space.uniform_terrain() && PreparedJumps::of(space)->is_noise(space.passable());
   const BestFirst parts{options.moves, kind, 0, 1, options.leaps && !noise};
   if (can_leap(space, parts)) {
     return anytime_leap_parts(space, parts, {options.initial_weight, options.weight_step}, stop);
