@@ -21,6 +21,9 @@
 // goal more cheaply. An observer sees each expansion, also repeated ones, and a leap as one step from its
 // first cell.
 //
+// Once searches have taken about as long as finding the SideRooms of the map, these are found, and closed where a query
+// does not begin or end in them.
+//
 // Where a disc may cut corners, what is a legal move depends on more than the 3 x 3 block, and the classes do
 // not hold; weights and other heuristics have real keys: a forward search on TerrainGrid serves these.
 

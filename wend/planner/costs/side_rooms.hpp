@@ -49,8 +49,6 @@ class SideRooms {
     });
   }
 
-  std::size_t count() const { return rooms_.size(); }
-
  private:
   /// Runs are numbered in the order in which a depth-first search reached them, so that those of a room are an interval.
   struct Run {

@@ -144,7 +144,7 @@ TEST(SideRooms, DoNotChangeTheCostsOfSearches) {
       made = made.repaired(space, *change);
     }
   }
-  EXPECT_GT(found, test::share_of(8000));
+  EXPECT_GT(found, test::share_of(6000));
 }
 
 /// In an office most rooms are left out from the second query on.
