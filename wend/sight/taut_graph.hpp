@@ -2,7 +2,7 @@
 
 // TautGraph: the corners of Portals, joined where a shortest path can go straight from one to the other: they see
 // each other, and the line is tangent to both. It looks around a corner when somebody first asks for its edges, and
-// keeps what it found.
+// keeps what it found. Who asks only seldom glances ahead instead: at the part of them that one path can take.
 //
 //   const wend::TautGraph::Edges ahead = graph.ahead_of(corner, ray);
 //   for (std::uint32_t i = ahead.begin; i < ahead.end; ++i) reach(graph.edge(i));

@@ -45,7 +45,7 @@ PlannerInfo any_angle_planner() {
                "has expanded before; on a prepared map without these rows",
        .memory =
            "16 bytes per run of free cells in a row, 24 per opening between two of them; per "
-           "corner of an obstacle 92, and 24 per corner that it sees; on a prepared map also "
+           "corner of an obstacle 93, and 24 per corner that it sees; on a prepared map also "
            "12 per corner and block of 8 x 8 cells that sees it, at most 64 per cell and 1 MiB "
            "in all, or the map is not prepared",
        .when = "Where the shortest path counts, and for measuring how much longer others are. It "

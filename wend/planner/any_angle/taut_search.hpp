@@ -3,8 +3,8 @@
 // TautSearch: A* on the corners of a map, from a point of a cell to the nearest of some others: finds the shortest path
 // of a point at any angle. Its states are the start, corners, and the goals.
 //
-// At first it looks around starts and goals in each query, and around a corner once in all of them (TautGraph). When it
-// has a TautMap, it looks all of that up. A path goes on from a corner only as taut ones do. Into a dead end it goes only
+// At first it looks around starts and goals in each query. Ahead of a path to a corner it glances a few times; then it
+// looks around that corner, once in all queries (TautGraph). When it has a TautMap, it looks all of that up. A path goes on from a corner only as taut ones do. Into a dead end it goes only
 // where a goal lies: with a map, the edges of dead ends that lead to a goal are marked, backwards from the goals. The
 // paths are the same with a map and without.
 
