@@ -116,6 +116,9 @@ class CornerSweep {
     along_the_row(corner, id, tell_ahead);
   }
 
+  /// How many runs of cells it has seen, again and again: its work so far.
+  std::uint64_t work() const { return work_; }
+
  private:
   /// More than any distance on a map, in steps.
   static constexpr std::int64_t kFar = std::int64_t{1} << 31;
@@ -155,6 +158,7 @@ class CornerSweep {
     while (!cones_.empty()) {
       const Cone cone = cones_.back();
       cones_.pop_back();
+      ++work_;
       if constexpr (!std::is_same_v<See, SeeNothing>) show_cells<kSide>(cone, viewer, see);
       pass<kSide>(cone, viewer, tell);
     }
@@ -297,6 +301,7 @@ class CornerSweep {
 
   const Portals* portals_;
   std::vector<Cone> cones_;  // still to be passed
+  std::uint64_t work_ = 0;
 };
 
 }  // namespace wend

@@ -13,6 +13,7 @@
 //
 // A corner is looked at once, in O(portals seen); 24 bytes an edge. One thread.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -49,7 +50,9 @@ class TautGraph {
 
   /// Have searches asked for the edges of a corner so seldom that it is cheaper to glance at what each of them needs?
   bool is_seldom_asked(std::uint32_t corner) const {
-    return fans_[corner].begin == kUnknown && glances_[corner] < kMostGlances;
+    if (fans_[corner].begin != kUnknown) return false;
+    const std::uint64_t glances = glances_[corner];
+    return glances == 0 || (glances < kMostGlances && 2 * glances < glances_a_look());
   }
   /// Calls tell(corner, length) where a taut path goes on that came to a corner along a ray. It looks at nothing else, and
   /// keeps nothing.
@@ -57,8 +60,10 @@ class TautGraph {
   void glance_ahead(std::uint32_t corner, Ray ray, Tell&& tell) {
     ++glances_[corner];
     ++all_glances_;
+    const std::uint64_t begun = sweep_.work();
     sweep_.from_corner_ahead(
         corner, ray, [&](std::uint32_t other, Ray to) { tell(other, length_from_corner(to)); });
+    glance_work_ += sweep_.work() - begun;
   }
 
   /// The edges by which a taut path goes on that came along an edge.
@@ -71,14 +76,16 @@ class TautGraph {
   /// How many edges are known.
   std::size_t edges() const { return edges_.size(); }
   /// How often a corner has been looked at, with the glances that take as long.
-  std::size_t looks() const { return known_ + all_glances_ / kGlancesALook; }
+  std::size_t looks() const { return known_ + all_glances_ / glances_a_look(); }
 
   /// Looks at a corner, and calls see() as CornerSweep::from_corner() does. Once for each corner, if for one.
   template <class See>
   void learn(std::uint32_t corner, See&& see) {
     begin_fan();
+    const std::uint64_t begun = sweep_.work();
     sweep_.from_corner(
         corner, [&](std::uint32_t other, Ray ray) { take(corner, other, ray); }, see);
+    look_work_ += sweep_.work() - begun;
     end_fan(corner);
   }
   /// Finds what lies ahead of every edge, its way back and dead ends, once every corner has been looked at. Then the
@@ -97,9 +104,14 @@ class TautGraph {
 
  private:
   static constexpr std::uint32_t kUnknown = UINT32_MAX;
-  static constexpr std::uint8_t kMostGlances = 4;  // at a corner
-  static constexpr std::size_t kGlancesALook =
-      8;  // that take as long: 2 in mazes to 25 in the open
+  static constexpr std::uint64_t kMostGlances = UINT8_MAX;
+
+  /// How many glances take as long as a look: 2 in mazes, 25 in the open.
+  std::uint64_t glances_a_look() const {
+    constexpr std::uint64_t kGuess = 2;
+    if (known_ == 0 || glance_work_ == 0) return kGuess;
+    return std::max(look_work_ * all_glances_ / (glance_work_ * known_), std::uint64_t{1});
+  }
 
   /// Of a ray in half cells.
   static double length_from_corner(Ray ray) {
@@ -138,6 +150,8 @@ class TautGraph {
   std::size_t known_ = 0;
   std::vector<std::uint8_t> glances_;  // at each corner
   std::uint64_t all_glances_ = 0;
+  std::uint64_t glance_work_ = 0;
+  std::uint64_t look_work_ = 0;
 };
 
 }  // namespace wend
