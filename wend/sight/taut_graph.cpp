@@ -1,7 +1,6 @@
 #include "wend/sight/taut_graph.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace wend {
