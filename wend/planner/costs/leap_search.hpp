@@ -193,9 +193,10 @@ class LeapSearch final : public IntegerSearch {
     estimate_.set_least_steps(grid().least_steps());
   }
 
-  /// Once searches have taken about as long. Searches in rounds do without: each path on the way would depend on it.
+  /// Once searches have taken about as long. Searches in rounds do without: each path on the way would depend on it. So
+  /// do those with landmarks, which know most of it.
   void prepare_rooms(const Limits& limits) {
-    if (kInRounds || rooms_ != nullptr) return;
+    if (kInRounds || landmarks_ != nullptr || rooms_ != nullptr) return;
     if (expanded_before_ < grid().state_count() / kStatesPerExpansion) return;
     const Deadline deadline(limits);
     DeadlineCheck stop(&deadline);
