@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "tests/testing/build_paths.hpp"
 #include "tests/testing/whole_image.hpp"
 #include "wend/io/image/grey_image.hpp"
 #include "wend/io/io_test_support.hpp"
@@ -29,7 +30,7 @@ struct BadFile {
 
 void PrintTo(const BadFile& bad, std::ostream* out) { *out << bad.file << ": " << bad.expected; }
 
-fs::path bad_folder() { return data_folder() / "bad"; }
+fs::path bad_folder() { return test::data_folder() / "bad"; }
 
 /// The rows of expected.tsv that are about maps, images and scenarios; one row without a file
 /// where there is no data, so that the test shows up as skipped.

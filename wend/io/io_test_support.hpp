@@ -11,7 +11,6 @@
 #include <string>
 #include <string_view>
 
-#include "tests/testing/build_paths.hpp"
 #include "wend/io/file_error.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
@@ -49,9 +48,6 @@ inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
-
-/// The folder with the shared data; empty if it is not configured.
-using test::data_folder;
 
 /// The cells, row 0 first: '.' free, '#' occupied, '?' unknown.
 inline std::string cells_of(const GridMap& map) {

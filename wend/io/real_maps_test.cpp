@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/map/load_map.hpp"
@@ -46,7 +47,7 @@ std::string percent_after(const std::string& word, const std::string& text) {
 
 std::map<std::string, Described> descriptions() {
   std::map<std::string, Described> files;
-  std::istringstream readme(bytes_of(data_folder() / "README.md"));
+  std::istringstream readme(bytes_of(test::data_folder() / "README.md"));
   for (std::string line; std::getline(readme, line);) {
     const auto columns = columns_of(line);
     if (columns.size() < 7) continue;
@@ -59,7 +60,7 @@ std::map<std::string, Described> descriptions() {
 std::vector<fs::path> files_in(const std::set<std::string>& folders, const std::string& extension) {
   std::vector<fs::path> files;
   for (const std::string& folder : folders) {
-    for (const auto& entry : fs::recursive_directory_iterator(data_folder() / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(test::data_folder() / folder)) {
       if (entry.path().extension() == extension) files.push_back(entry.path());
     }
   }
@@ -67,7 +68,7 @@ std::vector<fs::path> files_in(const std::set<std::string>& folders, const std::
 }
 
 std::string name_of(const fs::path& file) {
-  return file.lexically_relative(data_folder()).generic_string();
+  return file.lexically_relative(test::data_folder()).generic_string();
 }
 
 void expect_percent(std::size_t part, const GridMap& map, const std::string& percent) {
@@ -83,7 +84,7 @@ void expect_size(const GridMap& map, const Described& described) {
 class RealMaps : public testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists(data_folder() / "movingai")) GTEST_SKIP() << "WEND_DATA names no data";
+    if (!fs::exists(test::data_folder() / "movingai")) GTEST_SKIP() << "WEND_DATA names no data";
   }
 };
 

@@ -30,16 +30,21 @@ Limits limits_of_a_trial(const Deadline& deadline) {
   return limits;
 }
 
+/// The goal that a cause is about, if any.
+EndIndex goal_of(const FailureCause& cause) {
+  if (const auto* const separated = std::get_if<Separated>(&cause)) return separated->goal;
+  if (const auto* const blocked = std::get_if<EndBlocked>(&cause)) return blocked->end;
+  return std::nullopt;
+}
+
 /// Of several goals that a path cannot reach, the cause of the one nearest to the start; null if all are off the map.
 const FailureCause* nearest_cause(const Failure& failure) {
   const FailureCause* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const FailureCause& cause : failure.causes) {
-    const auto* const separated = std::get_if<Separated>(&cause);
-    const auto* const blocked = std::get_if<EndBlocked>(&cause);
-    if (separated == nullptr && (blocked == nullptr || !blocked->end)) continue;
-    const std::size_t goal = separated != nullptr ? separated->goal : *blocked->end;
-    const double away = distance(failure.goals[goal].place, failure.start.place);
+    const EndIndex goal = goal_of(cause);
+    if (!goal) continue;
+    const double away = distance(failure.goals[*goal].place, failure.start.place);
     if (away < least) {
       least = away;
       nearest = &cause;

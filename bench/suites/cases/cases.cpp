@@ -99,7 +99,7 @@ Case labels(std::string subject, double radius) {
 
 Case drives(std::string_view kind, std::size_t robot) {
   const NamedRobot chosen = se2_robots()[robot];
-  GridMap map = in_metres(generated_map(kind, 600, 400), 0.1);
+  const GridMap map = in_metres(generated_map(kind, 600, 400), 0.1);
   const FreeSpace space = space_of(map, chosen.options);
   auto planner = value_or_refuse(make_planner("hybrid_astar", space));
   return later_queries("hybrid_astar, " + std::string(kind) + ", " + chosen.name,

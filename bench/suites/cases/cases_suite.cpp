@@ -73,6 +73,7 @@ void show(const std::vector<Timed>& all) {
 int run(const Arguments& arguments) {
   const std::vector<Timed> all = measured(arguments);
   std::vector<BaselineRow> rows;
+  rows.reserve(all.size());
   for (const Timed& each : all) rows.push_back(each.row);
   if (!arguments.baseline.empty()) {
     return compare_with(value_or_refuse(read_baseline(arguments.baseline)), rows);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/map/masked.hpp"
@@ -139,11 +140,11 @@ TEST(MaskSpecs, SayWhatIsWrong) {
 class DepotMasks : public testing::Test {
  protected:
   void SetUp() override {
-    if (data_folder().empty()) GTEST_SKIP() << "WEND_DATA is not set";
+    if (test::data_folder().empty()) GTEST_SKIP() << "WEND_DATA is not set";
   }
 
   static std::filesystem::path data(const std::string& name) {
-    return data_folder() / "ros" / "nav2" / name;
+    return test::data_folder() / "ros" / "nav2" / name;
   }
 
   /// The grey values of a binary PGM, from the top row down, read without the library.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/testing/build_paths.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/segment.hpp"
 #include "wend/io/io_test_support.hpp"
@@ -141,7 +142,7 @@ TEST(LoadPrimitivesTest, SaysWhatIsWrongWithJson) {
 
 /// The files that come with SBPL.
 TEST(LoadPrimitivesTest, ReadsRealFiles) {
-  const std::filesystem::path folder = data_folder() / "sbpl";
+  const std::filesystem::path folder = test::data_folder() / "sbpl";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "WEND_DATA names no data";
   const auto set = load_primitives(folder / "mprim_unicycle_noturninplace.mprim");
   ASSERT_TRUE(set.has_value()) << set.error().message;

@@ -104,9 +104,7 @@ class LeapSearch final : public IntegerSearch {
         goal = cell;
       }
     }
-    bool goal_is_due = best != kNoCost && outcome() == SearchOutcome::running;
-    if constexpr (kInRounds) goal_is_due = best < best_ || rounds_.goal_is_due();
-    if (goal_is_due) add(goal);
+    if (is_due(best)) add(goal);
     return list;
   }
 
@@ -287,6 +285,12 @@ class LeapSearch final : public IntegerSearch {
       rounds_.set_goal_due(false);
     }
     rounds_.end_round(*this);
+  }
+
+  /// Is the goal, which an open entry reaches at this cost, still to be expanded?
+  bool is_due(std::uint64_t best) const {
+    if constexpr (kInRounds) return best < best_ || rounds_.goal_is_due();
+    return best != kNoCost && outcome() == SearchOutcome::running;
   }
 
   /// Is there something to expand in this round? Drops what comes before it in the queue.
