@@ -40,6 +40,7 @@ std::vector<Query> queries_on(const FreeSpace& space, std::uint64_t count = kQue
   for (const CellPair& pair : random_pairs(space, count, 7)) {
     queries.push_back(Query::between(pair.start, pair.goal));
   }
+  if (queries.empty()) throw Wrong("the robot fits nowhere on a map");
   return queries;
 }
 
@@ -202,7 +203,7 @@ std::vector<Case> all_cases() {
   cases.push_back(drives("warehouse", 0));
   cases.push_back(drives("warehouse", 1));
   cases.push_back(labels("euclidean_labels, a point", 0));
-  cases.push_back(labels("euclidean_labels, a disc", 2.5));
+  cases.push_back(labels("euclidean_labels, a disc", 1));
   cases.push_back(edit_after("astar"));
   cases.push_back(edit_after("jps"));
   cases.push_back(field_of(1024));
