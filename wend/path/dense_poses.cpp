@@ -1,9 +1,11 @@
 #include "wend/path/dense_poses.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/segment.hpp"
+#include "wend/path/chord_counts.hpp"
 #include "wend/path/path_fault.hpp"
 
 namespace wend {
@@ -15,14 +17,16 @@ std::vector<Pose> dense_poses(const Path& path, double tolerance) {
   if (!path.driven()) return path.poses();
   const std::vector<Pose> joints = path.poses();
   const std::vector<Segment> segments = path.segments();
+  std::vector<Arc> arcs(segments.size());
+  std::ranges::transform(segments, arcs.begin(),
+                         [](const Segment& segment) { return way_of_base(segment); });
+  const std::vector<int> counts = chord_counts(arcs, kept);
   std::vector<Pose> poses{joints.front()};
-  for (std::size_t joint = 1; joint < joints.size(); ++joint) {
-    const Segment& segment = segments[joint - 1];
-    const int chords = chord_count(way_of_base(segment), kept);
-    for (int i = 1; i < chords; ++i) {
-      poses.push_back(pose_on(segment, static_cast<double>(i) / chords));
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (int k = 1; k < counts[i]; ++k) {
+      poses.push_back(pose_on(segments[i], static_cast<double>(k) / counts[i]));
     }
-    poses.push_back(joints[joint]);
+    poses.push_back(joints[i + 1]);
   }
   return poses;
 }

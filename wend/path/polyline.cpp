@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "wend/geometry/line.hpp"
+#include "wend/path/chord_counts.hpp"
 
 namespace wend {
 namespace {
@@ -13,9 +14,12 @@ namespace {
 /// The ends of the chords of arcs.
 std::vector<Point> chords_of(Point start, std::span<const Arc> arcs, double tolerance) {
   std::vector<Point> points{start};
-  for (const Arc& arc : arcs) {
-    const int chords = chord_count(arc, tolerance);
-    for (int i = 1; i <= chords; ++i) points.push_back(point_on(arc, arc.length * i / chords));
+  const std::vector<int> counts = chord_counts(arcs, tolerance);
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const auto& arc = arcs[i];
+    for (int k = 1; k <= counts[i]; ++k) {
+      points.push_back(point_on(arc, arc.length * k / counts[i]));
+    }
   }
   return points;
 }

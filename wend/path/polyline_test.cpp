@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/path/dense_poses.hpp"
 
 namespace wend {
 namespace {
@@ -82,6 +83,18 @@ TEST(Polyline, OfADriveKeepsToItsArcs) {
   }
   const Polyline of_arcs = polyline_of(drive.arcs(), 0.001);
   EXPECT_THAT(of_arcs.points(), ::testing::ElementsAreArray(line.points()));
+}
+
+TEST(Polyline, OfManyArcsHasNoMoreChordsThanItsLimit) {
+  std::vector<Pose> poses;
+  for (int i = 0; i <= 40; ++i) poses.push_back({4.0 * (i % 2), i / 4.0, i % 2 == 0 ? 0.0 : 0.8});
+  const Path drive = Path::through(poses);
+  for (const double tolerance : {0.0, 1e-300}) {
+    const Polyline line = polyline_of(drive, false, tolerance);
+    EXPECT_LE(line.points().size(), kMostPosesAlong + poses.size()) << tolerance;
+    EXPECT_NEAR(line.length(), drive.length(), 1e-6) << tolerance << ": every arc has its share";
+    EXPECT_LE(dense_poses(drive, tolerance).size(), kMostPosesAlong + poses.size()) << tolerance;
+  }
 }
 
 /// Points of a circle, 10 degrees apart.

@@ -11,10 +11,12 @@
 namespace wend {
 namespace {
 
-constexpr double kSpacing = 0.25;  // cells, between points of a line
+constexpr double kSpacing = 0.25;     // cells, between points of a line
+constexpr double kMostPieces = 1e6;  // for lines that end absurdly far off the map
 
 int pieces_of(double length) {
-  return std::max(1, static_cast<int>(std::ceil(std::abs(length) / kSpacing)));
+  const double pieces = std::ceil(std::abs(length) / kSpacing);
+  return static_cast<int>(std::clamp(pieces, 1.0, kMostPieces));
 }
 
 void put_roles(const Scene& scene, Grid<Glyph>& glyphs) {
