@@ -1,5 +1,4 @@
-// The planners, smoothers and controllers as dictionaries, and indexes. The only place that reads the fields of a
-// PlannerInfo.
+// The planners, smoothers and controllers as dictionaries, and indexes.
 
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/filesystem.h>
@@ -9,6 +8,8 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "python/src/bindings.hpp"
 #include "python/src/errors.hpp"
@@ -21,7 +22,7 @@
 #include "wend/path/smoothing/smoother.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/index_support.hpp"
-#include "wend/planner/planners.hpp"
+#include "wend/planner/planner_fields.hpp"
 
 namespace nb = nanobind;
 
@@ -30,53 +31,37 @@ namespace {
 
 nb::str str_of(std::string_view text) { return nb::str(text.data(), text.size()); }
 
-template <class Enum>
-nb::str name_of(Enum value) {
-  for (const auto& choice : choice_names(Enum{})) {
-    if (choice.value == value) return str_of(choice.name);
-  }
-  return nb::str("");
+nb::object object_of(std::string_view text) { return str_of(text); }
+nb::object object_of(bool flag) { return nb::bool_(flag); }
+nb::object object_of(double number) { return nb::float_(number); }
+nb::object object_of(const std::vector<std::string>& texts) {
+  nb::list list;
+  for (const std::string& text : texts) list.append(str_of(text));
+  return nb::tuple(list);
+}
+nb::object object_of(const std::vector<OptionInfo>& options);
+
+/// A dictionary of the facts of a planner or an option.
+template <class Info>
+nb::dict entry_of(const Info& info) {
+  nb::dict entry;
+  visit_fields(info, [&entry](std::string_view name, const auto& value) {
+    entry[str_of(name == "citation" ? "paper" : name)] = object_of(value);
+  });
+  return entry;
 }
 
 nb::list options_of(const std::vector<OptionInfo>& options) {
   nb::list list;
-  for (const OptionInfo& option : options) {
-    nb::list choices;
-    for (const std::string& choice : option.choices) choices.append(str_of(choice));
-    nb::dict entry;
-    entry["name"] = str_of(option.name);
-    entry["kind"] = str_of(to_string(option.kind));
-    entry["default"] = str_of(option.default_value);
-    entry["choices"] = nb::tuple(choices);
-    entry["least"] = option.least;
-    entry["greatest"] = option.greatest;
-    entry["help"] = str_of(option.help);
-    list.append(entry);
-  }
+  for (const OptionInfo& option : options) list.append(entry_of(option));
   return list;
 }
 
+nb::object object_of(const std::vector<OptionInfo>& options) { return options_of(options); }
+
 nb::list planners_list() {
   nb::list list;
-  for (const PlannerInfo& planner : planners()) {
-    nb::dict entry;
-    entry["name"] = str_of(planner.name);
-    entry["summary"] = str_of(planner.summary);
-    entry["idea"] = str_of(planner.idea);
-    entry["paper"] = str_of(planner.citation);
-    entry["guarantee"] = name_of(planner.guarantee);
-    entry["guarantee_text"] = str_of(planner.guarantee_text);
-    entry["time"] = str_of(planner.time);
-    entry["memory"] = str_of(planner.memory);
-    entry["when"] = str_of(planner.when);
-    entry["terrain"] = planner.capabilities.terrain;
-    entry["any_angle"] = planner.capabilities.any_angle;
-    entry["headings"] = planner.capabilities.headings;
-    entry["preprocessing"] = name_of(planner.preprocessing);
-    entry["needs_index"] = planner.index_support != nullptr;
-    entry["options"] = options_of(planner.options);
-    list.append(entry);
-  }
+  for (const PlannerInfo& planner : planners()) list.append(entry_of(planner));
   return list;
 }
 

@@ -24,6 +24,8 @@ class OptionInfo(NamedTuple):
     """The range of an integer or a number."""
     help: str
     """One line, with the unit."""
+    aliases: tuple[str, ...]
+    """Other names, as in the literature."""
 
 
 class PlannerInfo(NamedTuple):
@@ -51,6 +53,18 @@ class PlannerInfo(NamedTuple):
     needs_index: bool
     """Does it need an ``Index``?"""
     options: tuple[OptionInfo, ...]
+    motion: str
+    """What its states are, in one word."""
+    mover: str
+    """Who moves, and between what."""
+    on_terrain: str
+    """What it does with the costs of cells: "costs count", "ignored" or "refused"."""
+    on_vertices: bool
+    """Do its states lie on corners of cells?"""
+    can_step: bool
+    """Does ``Search`` step through it?"""
+    resumes: bool
+    """May a search go on from the last one?"""
 
 
 class SmootherInfo(NamedTuple):

@@ -1,10 +1,14 @@
 #include "lab/wasm/whole/registry_text.hpp"
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "lab/wasm/json.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/path/smoothing/smoother.hpp"
-#include "wend/planner/planners.hpp"
+#include "wend/planner/planner_fields.hpp"
 #include "wend/robot/robot_fields.hpp"
 #include "wend/session/request_fields.hpp"
 #include "wend/version.hpp"
@@ -12,18 +16,51 @@
 namespace wend::lab {
 namespace {
 
-void write(Json& json, const OptionInfo& option, std::string_view unit = {}) {
-  json.object()
-      .field("name", option.name)
-      .field("kind", to_string(option.kind))
-      .field("default", option.default_value)
-      .field("help", option.help)
-      .field("unit", unit)
-      .field("least", option.least)
-      .field("greatest", option.greatest);
-  json.key("choices").array();
-  for (const std::string& choice : option.choices) json.value(choice);
-  json.end_array().end_object();
+/// "guarantee_text" as scripts write it: "guaranteeText".
+std::string script_name(std::string_view name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool begins_word = i > 0 && name[i - 1] == '_';
+    if (name[i] != '_') text += begins_word ? static_cast<char>(name[i] - 'a' + 'A') : name[i];
+  }
+  return text;
+}
+
+void write(Json& json, const OptionInfo& option, std::string_view unit = {});
+
+void write(Json& json, const std::vector<OptionInfo>& options) {
+  json.array();
+  for (const OptionInfo& option : options) write(json, option);
+  json.end_array();
+}
+
+void write(Json& json, const std::vector<std::string>& texts) {
+  json.array();
+  for (const std::string& text : texts) json.value(text);
+  json.end_array();
+}
+
+template <class Value>
+void write(Json& json, const Value& value) {
+  json.value(value);
+}
+
+/// The facts of a planner or an option.
+template <class Info>
+void write_facts(Json& json, const Info& info) {
+  visit_fields(info, [&json](std::string_view name, const auto& value) {
+    write(json.key(script_name(name)), value);
+  });
+}
+
+void write(Json& json, const OptionInfo& option, std::string_view unit) {
+  write_facts(json.object(), option);
+  json.field("unit", unit).end_object();
+}
+
+void write(Json& json, const PlannerInfo& planner) {
+  write_facts(json.object(), planner);
+  json.end_object();
 }
 
 /// A list of fields: options with a unit.
@@ -32,31 +69,6 @@ void write(Json& json, std::string_view name, std::span<const Field<Target>> fie
   json.key(name).array();
   for (const Field<Target>& field : fields) write(json, field.info.option(), field.info.unit);
   json.end_array();
-}
-
-void write(Json& json, const std::vector<OptionInfo>& options) {
-  json.key("options").array();
-  for (const OptionInfo& option : options) write(json, option);
-  json.end_array();
-}
-
-void write(Json& json, const PlannerInfo& planner) {
-  json.object()
-      .field("name", planner.name)
-      .field("summary", planner.summary)
-      .field("idea", planner.idea)
-      .field("citation", planner.citation)
-      .field("guarantee", choice_name(planner.guarantee))
-      .field("guaranteeText", planner.guarantee_text)
-      .field("when", planner.when)
-      .field("terrain", terrain_in_words(planner))
-      .field("headings", planner.capabilities.headings)
-      .field("canStep", planner.capabilities.can_step)
-      .field("resumes", planner.capabilities.resumes)
-      .field("onVertices", planner.capabilities.vertices != Vertices::centres)
-      .field("needsIndex", planner.index_support != nullptr);
-  write(json, planner.options);
-  json.end_object();
 }
 
 void write(Json& json, const GeneratorInfo& generator) {
@@ -68,7 +80,7 @@ void write(Json& json, const GeneratorInfo& generator) {
       .field("defaultWidth", generator.default_width)
       .field("defaultHeight", generator.default_height)
       .field("freeCorner", generator.free_corner);
-  write(json, generator.options);
+  write(json.key("options"), generator.options);
   json.end_object();
 }
 
@@ -78,7 +90,7 @@ void write(Json& json, const SmootherInfo& smoother) {
       .field("summary", smoother.summary)
       .field("citation", smoother.citation)
       .field("drives", smoother.drives);
-  write(json, smoother.options);
+  write(json.key("options"), smoother.options);
   json.end_object();
 }
 
@@ -88,7 +100,7 @@ void write(Json& json, const ControllerInfo& controller) {
       .field("summary", controller.summary)
       .field("citation", controller.citation)
       .field("turnsInPlace", controller.turns_in_place);
-  write(json, controller.options);
+  write(json.key("options"), controller.options);
   json.end_object();
 }
 

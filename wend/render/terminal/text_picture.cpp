@@ -11,7 +11,7 @@
 namespace wend {
 namespace {
 
-constexpr double kSpacing = 0.25;     // cells, between points of a line
+constexpr double kSpacing = 0.25;    // cells, between points of a line
 constexpr double kMostPieces = 1e6;  // for lines that end absurdly far off the map
 
 int pieces_of(double length) {
