@@ -114,6 +114,32 @@ static void check_fields(const wend_request* request) {
   CHECK(set.tolerance == 0 && set.nearest == 0 && set.expansions == UINT64_MAX);
 }
 
+static void check_robot_fields(const wend_map* map) {
+  const wend_pose over_edge = {0.05, 0.05, 0};
+  size_t i;
+  int32_t fits = -1;
+  wend_field_info info;
+  wend_robot_options options;
+  wend_robot* robot = NULL;
+  wend_session* session = NULL;
+  CHECK(wend_robot_options_init(&options, sizeof options) == WEND_OK);
+  CHECK(wend_robot_create(&options, &robot, NULL) == WEND_OK);
+  for (i = 0; i < wend_robot_field_count(); ++i) {
+    CHECK(wend_robot_field_at(i, &info) == WEND_OK && info.help[0] != '\0');
+    CHECK(wend_robot_set(robot, info.name, info.default_value, NULL) == WEND_OK);
+  }
+  CHECK(wend_robot_field_at(i, &info) == WEND_INVALID_ARGUMENT);
+  CHECK(wend_robot_set(robot, "robot_radius", 0.2, NULL) == WEND_OK);
+  CHECK(wend_session_create(map, robot, NULL, &session, NULL) == WEND_OK);
+  CHECK(wend_session_fits(session, &over_edge, &fits, NULL) == WEND_OK && fits == 0);
+  CHECK(wend_robot_set(robot, "outside", WEND_POLICY_FREE, NULL) == WEND_OK);
+  CHECK(wend_session_fits(session, &over_edge, &fits, NULL) == WEND_OK && fits == 0);
+  CHECK(wend_session_set_robot(session, robot, NULL) == WEND_OK);
+  CHECK(wend_session_fits(session, &over_edge, &fits, NULL) == WEND_OK && fits == 1);
+  wend_session_free(session);
+  wend_robot_free(robot);
+}
+
 static void check_metrics(const wend_plan* plan) {
   size_t i;
   double value = -1;
@@ -228,6 +254,7 @@ static void check_session(void) {
   CHECK(wend_session_options_init(&options, sizeof options) == WEND_OK);
   options.outside = WEND_POLICY_FREE;
   CHECK(wend_session_create(map, robot, &options, &session, NULL) == WEND_OK);
+  check_robot_fields(map);
   CHECK(wend_session_set_map(session, map, NULL) == WEND_OK);
   CHECK(wend_session_edit(session, 2, 0, 1, 1, &occupied, 1, NULL) == WEND_OK);
   CHECK(wend_session_edit_terrain(session, 4, 0, 1, 1, &dear, 1, NULL) == WEND_OK);

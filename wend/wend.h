@@ -33,8 +33,8 @@
 //
 //    origin + rotate(origin.heading, resolution * (column..column + 1, row..row + 1))
 //
-// Threads: all threads may use a session at the same time. A map, a robot, a plan and a field do not change;
-// all threads may read them. Free an object when no other thread uses it.
+// Threads: all threads may use a session at the same time. A map, a robot, a plan and a field do not change (but by
+// wend_robot_set()); all threads may read them. Free an object when no other thread uses it.
 //
 // Growth: structures with a `struct_size` are made by their init function, which sets the defaults and takes
 // the size that the caller was compiled with. A structure of another size is an error. New fields of a request have no
@@ -250,6 +250,30 @@ WEND_C_API wend_status wend_robot_options_init(wend_robot_options* options, size
 WEND_C_API wend_status wend_robot_create(const wend_robot_options* options, wend_robot** robot,
                                          wend_error* error);
 
+/// A field of a request or a robot, which is set by name. The texts belong to the library and stay.
+typedef struct wend_field_info {
+  const char* name;      // "goal_tolerance"
+  const char* unit;      // "m", "rad", "s", or ""
+  const char* help;      // what it is, without a full stop
+  int32_t flag;          // 1 if its values are 0 and 1 only
+  double least;          // the least value
+  double greatest;       // the greatest value; may be infinite
+  double default_value;  // NaN where it has none
+} wend_field_info;
+
+/// Sets a field of a robot by name, as flags of the command line are called: "clearance_distance", "unknown". A radius
+/// replaces the shape; of "unknown" and "outside" the value is one of wend_policy, and what a session's options say comes
+/// before it. Sessions that have the robot keep it as it was. No other thread may use the robot at the same time. Fails with
+/// WEND_INVALID_OPTION for an unknown name, with the most similar one in the message, and for a value that is not in
+/// the field's range.
+WEND_C_API wend_status wend_robot_set(wend_robot* robot, const char* name, double value,
+                                      wend_error* error);
+
+/// The number of fields that wend_robot_set() knows.
+WEND_C_API size_t wend_robot_field_count(void);
+/// Writes what is known of a field. Fails with WEND_INVALID_ARGUMENT for an index of wend_robot_field_count() or more.
+WEND_C_API wend_status wend_robot_field_at(size_t index, wend_field_info* info);
+
 /// Frees a robot.
 WEND_C_API void wend_robot_free(wend_robot* robot);
 
@@ -258,7 +282,7 @@ typedef struct wend_session wend_session;
 
 /// What counts as free. By default unknown cells do not; nor does the outside, but of a map file in cells.
 enum wend_policy {
-  WEND_POLICY_DEFAULT = 0,  // as above
+  WEND_POLICY_DEFAULT = 0,  // as the robot has it, or as above
   WEND_POLICY_BLOCKED = 1,  // an obstacle
   WEND_POLICY_FREE = 2      // free
 };
@@ -376,17 +400,6 @@ WEND_C_API wend_status wend_request_init(wend_request* request, size_t struct_si
 /// in the field's range.
 WEND_C_API wend_status wend_request_set(wend_request* request, const char* name, double value,
                                         wend_error* error);
-
-/// A field of a request. The texts belong to the library and stay.
-typedef struct wend_field_info {
-  const char* name;      // "goal_tolerance"
-  const char* unit;      // "m", "rad", "s", or ""
-  const char* help;      // what it is, without a full stop
-  int32_t flag;          // 1 if its values are 0 and 1 only
-  double least;          // the least value
-  double greatest;       // the greatest value; may be infinite
-  double default_value;  // NaN where it has none
-} wend_field_info;
 
 /// The number of fields that wend_request_set() knows.
 WEND_C_API size_t wend_request_field_count(void);

@@ -19,13 +19,23 @@
 #include "wend/session/session.hpp"
 #include "wend/wend.h"
 
+namespace wend::c {
+
+/// What a session says of what blocks its robots; nothing: as the robot has it.
+struct Policies {
+  std::optional<UnknownPolicy> unknown = {};
+  std::optional<OutsidePolicy> outside = {};
+};
+
+}  // namespace wend::c
+
 struct wend_map {
   wend::GridMap map;
   std::vector<std::string> notes = {};  // on the file that it was loaded from
 };
 
 struct wend_robot {
-  wend::Robot robot;
+  wend::FreeSpaceOptions options;
 };
 
 struct wend_cancel {
@@ -33,11 +43,11 @@ struct wend_cancel {
 };
 
 struct wend_session {
-  wend_session(const wend::GridMap& first_map, const wend::Robot& robot,
-               const wend::ObstacleOptions& chosen);
+  wend_session(const wend::GridMap& first_map, const wend_robot* robot,
+               const wend::c::Policies& chosen);
 
-  /// The options of a robot on this session's obstacles.
-  wend::FreeSpaceOptions options_of(const wend::Robot& robot) const;
+  /// The options of a robot, or of a point for null, in this session.
+  wend::FreeSpaceOptions options_of(const wend_robot* robot) const;
 
   void set_map(const wend::GridMap& next);
 
@@ -47,7 +57,7 @@ struct wend_session {
   /// Planners that an exception stopped are of no use any more.
   void drop_planners();
 
-  wend::ObstacleOptions obstacles;
+  wend::c::Policies policies;
   wend::Session session;
   std::mutex mutex;                  // guards `map`
   std::optional<wend::GridMap> map;  // nothing if an exception stopped an edit

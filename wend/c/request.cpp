@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "wend/base/registry.hpp"
+#include "wend/c/fields.hpp"
 #include "wend/c/objects.hpp"
 #include "wend/session/request_fields.hpp"
 
@@ -146,12 +146,6 @@ Expected<PlannerSpec, Failure> planner_of(const wend_request& request) {
   return std::move(specs->front());
 }
 
-Error unknown_field(std::string_view name) {
-  std::vector<std::string> names;
-  for (const RequestField& field : request_fields()) names.emplace_back(field.info.name);
-  return {Status::invalid_option, unknown_name("field of a request", name, names), {}};
-}
-
 }  // namespace
 
 Expected<PlanRequest, Failure> request_of(const wend_request* given, double resolution) {
@@ -182,16 +176,15 @@ wend_status wend_request_set(wend_request* request, const char* name, double val
                              wend_error* error) {
   return guarded(error, [&]() -> Done {
     if (request == nullptr) return refused("request is null");
-    if (name == nullptr) return refused("name is null");
     if (const auto sized = options_of("wend_request", request, request_defaults()); !sized) {
       return wend::Unexpected<Failure>(sized.error());
     }
-    const wend::RequestField* const field = wend::request_field(name);
-    if (field == nullptr) return failed(unknown_field(name));
-    const wend::FieldInfo& info = field->info;
+    const auto field = field_named(wend::request_fields(), name, "request");
+    if (!field) return wend::Unexpected<Failure>(field.error());
+    const wend::FieldInfo& info = (*field)->info;
     const bool unset = std::isnan(value) && std::isnan(info.default_value);
     if (auto fault = info.fault_of(value); fault && !unset) return failed(*std::move(fault));
-    assign(*request, static_cast<std::size_t>(field - wend::request_fields().data()), value);
+    assign(*request, static_cast<std::size_t>(*field - wend::request_fields().data()), value);
     return {};
   });
 }
@@ -199,10 +192,5 @@ wend_status wend_request_set(wend_request* request, const char* name, double val
 size_t wend_request_field_count() { return wend::request_fields().size(); }
 
 wend_status wend_request_field_at(size_t index, wend_field_info* info) {
-  if (index >= wend::request_fields().size() || info == nullptr) return WEND_INVALID_ARGUMENT;
-  const wend::FieldInfo& field = wend::request_fields()[index].info;
-  const std::int32_t is_flag = field.kind == wend::OptionKind::flag ? 1 : 0;
-  *info = {field.name.data(), field.unit.data(),  field.help.data(), is_flag, 0,
-           field.greatest,    field.default_value};
-  return WEND_OK;
+  return field_at(wend::request_fields(), index, info);
 }

@@ -14,16 +14,15 @@
 #include "wend/c/request.hpp"
 #include "wend/planner/goal_region.hpp"
 
-wend_session::wend_session(const wend::GridMap& first_map, const wend::Robot& robot,
-                           const wend::ObstacleOptions& chosen)
-    : obstacles(chosen), session(first_map, options_of(robot)), map(first_map) {}
+wend_session::wend_session(const wend::GridMap& first_map, const wend_robot* robot,
+                           const wend::c::Policies& chosen)
+    : policies(chosen), session(first_map, options_of(robot)), map(first_map) {}
 
-wend::FreeSpaceOptions wend_session::options_of(const wend::Robot& robot) const {
-  return {.footprint = robot.footprint,
-          .unknown = obstacles.unknown,
-          .outside = obstacles.outside,
-          .clearance_distance = robot.clearance_distance,
-          .clearance_cost = robot.clearance_cost};
+wend::FreeSpaceOptions wend_session::options_of(const wend_robot* robot) const {
+  wend::FreeSpaceOptions options = robot == nullptr ? wend::FreeSpaceOptions{} : robot->options;
+  options.unknown = policies.unknown.value_or(options.unknown);
+  if (policies.outside) options.outside = policies.outside;
+  return options;
 }
 
 void wend_session::set_map(const wend::GridMap& next) {
@@ -63,20 +62,21 @@ constexpr wend_session_options kSessionDefaults{sizeof(wend_session_options), WE
 
 MapPose map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading}; }
 
-Robot robot_or_point(const wend_robot* robot) { return robot == nullptr ? Robot{} : robot->robot; }
+template <class Policy>
+Expected<std::optional<Policy>, Failure> policy_of(std::int32_t policy) {
+  if (policy == WEND_POLICY_DEFAULT) return std::nullopt;
+  if (policy == WEND_POLICY_BLOCKED) return Policy::blocked;
+  if (policy == WEND_POLICY_FREE) return Policy::free;
+  return refused("wend_session_options has the policy " + std::to_string(policy) +
+                 ", not a value of wend_policy");
+}
 
-Expected<ObstacleOptions, Failure> obstacles_of(const wend_session_options& options) {
-  for (const std::int32_t policy : {options.unknown, options.outside}) {
-    if (policy < WEND_POLICY_DEFAULT || policy > WEND_POLICY_FREE) {
-      return refused("wend_session_options has the policy " + std::to_string(policy) +
-                     ", not a value of wend_policy");
-    }
-  }
-  ObstacleOptions obstacles;
-  if (options.unknown == WEND_POLICY_FREE) obstacles.unknown = UnknownPolicy::free;
-  if (options.outside == WEND_POLICY_FREE) obstacles.outside = OutsidePolicy::free;
-  if (options.outside == WEND_POLICY_BLOCKED) obstacles.outside = OutsidePolicy::blocked;
-  return obstacles;
+Expected<Policies, Failure> policies_of(const wend_session_options& options) {
+  const auto unknown = policy_of<UnknownPolicy>(options.unknown);
+  if (!unknown) return Unexpected<Failure>(unknown.error());
+  const auto outside = policy_of<OutsidePolicy>(options.outside);
+  if (!outside) return Unexpected<Failure>(outside.error());
+  return Policies{*unknown, *outside};
 }
 
 RequestResult plan_request_of(const wend_request* given, double resolution) {
@@ -194,9 +194,9 @@ wend_status wend_session_create(const wend_map* map, const wend_robot* robot,
     if (map == nullptr) return refused("map is null");
     const auto chosen = wend::c::options_of("wend_session_options", options, kSessionDefaults);
     if (!chosen) return wend::Unexpected<Failure>(chosen.error());
-    const auto obstacles = obstacles_of(*chosen);
-    if (!obstacles) return wend::Unexpected<Failure>(obstacles.error());
-    return std::make_unique<wend_session>(map->map, robot_or_point(robot), *obstacles);
+    const auto policies = policies_of(*chosen);
+    if (!policies) return wend::Unexpected<Failure>(policies.error());
+    return std::make_unique<wend_session>(map->map, robot, *policies);
   });
 }
 
@@ -213,7 +213,7 @@ wend_status wend_session_set_robot(wend_session* session, const wend_robot* robo
                                    wend_error* error) {
   return guarded(error, [&]() -> Done {
     if (session == nullptr) return refused("session is null");
-    session->session.set_robot(session->options_of(robot_or_point(robot)));
+    session->session.set_robot(session->options_of(robot));
     return {};
   });
 }
