@@ -1,11 +1,9 @@
 #include "bench/comparison/comparison_run.hpp"
 
 #include <cassert>
-#include <cmath>
 #include <span>
 #include <utility>
 
-#include "wend/geometry/angle.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/planner/planners.hpp"
@@ -16,12 +14,6 @@
 
 namespace wend {
 namespace {
-
-/// Whole eighths of a turn come out as whole degrees.
-double without_rounding(double degrees) {
-  constexpr double kDigits = 1e6;
-  return std::round(degrees * kDigits) / kDigits;
-}
 
 /// Could all planners answer the same queries?
 bool have_same_states(std::span<const PlannerSpec> specs) {
@@ -87,15 +79,16 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
   row.counts_first_query = timed.resumes();
   row.status = plan_eased(timed, query, row);
   row.cost = plan_.cost;
-  row.expanded = plan_.metrics.expanded;
-  row.generated = plan_.metrics.generated;
-  row.max_frontier = plan_.metrics.max_frontier;
+  row.metrics = plan_.metrics;
   if (!row.found()) {
     row.failure = timed.planner()->failure(query, row.status);
     row.reason = words_of(row.failure, plan_.metrics, space_);
     return row;
   }
-  describe(plan_.path, space_, row);
+  const auto measured = measure(plan_.path, space_);
+  assert(measured);  // a planner's path
+  row.measured = *measured;
+  row.steps = plan_.path.size() - 1;
   return row;
 }
 
@@ -119,25 +112,12 @@ Status ComparisonRun::plan_eased(TimedPlanner& timed, const Query& query, Compar
   return status;
 }
 
-void ComparisonRun::describe(const Path& path, const FreeSpace& space, ComparisonRow& row) {
-  const auto measured = measure(path, space);
-  assert(measured);  // a planner's path
-  const PathMetrics& metrics = *measured;
-  row.length = metrics.length;
-  row.turning = without_rounding(degrees_from(metrics.turning));
-  row.largest_curvature = 1 / metrics.rounded_turning_radius;
-  row.smallest_clearance = metrics.smallest_clearance;
-  row.mean_clearance = metrics.mean_clearance;
-  row.steps = path.size() - 1;
-  row.reversals = static_cast<std::uint64_t>(metrics.reversals);
-}
-
 /// Repeats a search; one that was stopped, as far as it went. A planner that resumes would not search again, so another
 /// one does. (One that keeps what it prepared may expand other cells than the first time.)
 Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver* observer) const {
   const ComparisonRow& row = comparison_.queries[query].rows[planner];
   Query same{row.eased.start, row.eased.goals};
-  if (!row.found()) same.limits.expansions = row.expanded;
+  if (!row.found()) same.limits.expansions = row.metrics.expanded;
   same.observer = observer;
   Plan plan;
   const TimedPlanner& timed = planners_[planner];

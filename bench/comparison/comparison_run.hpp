@@ -65,7 +65,6 @@ class ComparisonRun {
 
   ComparisonRow answer_of(std::size_t planner, const Query& query);
   Status plan_eased(TimedPlanner& timed, const Query& query, ComparisonRow& row);
-  static void describe(const Path& path, const FreeSpace& space, ComparisonRow& row);
   Plan again(std::size_t planner, std::size_t query, SearchObserver* observer) const;
 
   FreeSpace space_;
