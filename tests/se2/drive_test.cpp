@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/testing/build_paths.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/control/trajectory_tracker.hpp"
@@ -257,7 +258,7 @@ TEST(DefaultController, DrivesThreeHundredTimesWithoutACollision) {
   const auto planner =
       make_planner("hybrid_astar", cautious, {{"motion_model", "differential"}}).value();
   Random random(5);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < share_of(300); ++i) {
     const Path path = random_drive(random, *planner, "hybrid_astar", cautious);
     const auto controller = make_controller(default_controller(path)).value();
     const Drive drive = simulate(space, path, *controller);

@@ -118,24 +118,27 @@ TEST_P(ThinWalls, AreCrossedThroughTheirHoles) {
   EXPECT_GT(found, static_cast<int>(share_of(20U)));
 }
 
+/// The length of motions, in cells.
+class ThinWallsWithSlits : public ::testing::TestWithParam<double> {};
+
 /// A slit that its disc passes, but not the bar behind it: the searches look at it again and again.
-TEST(ThinWallsWithSlits, AreNotCrossedByARobotWiderThanItsDisc) {
+TEST_P(ThinWallsWithSlits, AreNotCrossedByARobotWiderThanItsDisc) {
   const Footprint robot = *parse_footprint(
       "0.5,0.4; -0.4,0.4; -0.4,1.2; -0.8,1.2; -0.8,-1.2; -0.4,-1.2; -0.4,-0.4; 0.5,-0.4");
   const FreeSpace space = *make_free_space(parted_map(Wall::straight, kSize / 2, 1),
                                            {.footprint = robot, .outside = OutsidePolicy::blocked});
-  for (const double length : {0.0, 6.0, 40.0}) {
-    SCOPED_TRACE(fmt::format("motions of {} cells", length));
-    const auto planner = *make_planner("hybrid_astar", space,
-                                       {{"turning_radius", "2"},
-                                        {"motion_length", fmt::format("{}", length)},
-                                        {"time_budget", "1000"}});
-    const auto plan = planner->plan({{4.5, 12.5, 0}, {Goal(Pose{20.5, 12.5, 0})}});
-    ASSERT_FALSE(plan);
-    EXPECT_EQ(plan.error().status, Status::unreachable);
-    EXPECT_GT(plan.error().metrics.expanded, 100U);
-  }
+  const auto planner = *make_planner("hybrid_astar", space,
+                                     {{"turning_radius", "2"},
+                                      {"motion_length", fmt::format("{}", GetParam())},
+                                      {"time_budget", "1000"}});
+  const auto plan = planner->plan({{4.5, 12.5, 0}, {Goal(Pose{20.5, 12.5, 0})}});
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().status, Status::unreachable);
+  EXPECT_GT(plan.error().metrics.expanded, 100U);
 }
+
+INSTANTIATE_TEST_SUITE_P(Lengths, ThinWallsWithSlits, ::testing::Values(0.0, 6.0, 40.0),
+                         [](const auto& tested) { return fmt::format("{}", tested.param); });
 
 INSTANTIATE_TEST_SUITE_P(
     Walls, ThinWalls,

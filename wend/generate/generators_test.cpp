@@ -114,11 +114,12 @@ TEST_P(EachGenerator, RefusesWrongOptions) {
 }
 
 TEST_P(EachGenerator, TakesBothEndsOfEveryRange) {
+  const int side = test::share_of(1100);
   for (const OptionInfo& option : info().options) {
     for (const double value : {option.least, option.greatest}) {
       if (option.kind == OptionKind::flag || option.kind == OptionKind::choice) continue;
       SCOPED_TRACE(testing::Message() << option.name << " = " << value);
-      const auto map = info().make(1100, 1100, 3, {{option.name, format_number(value)}});
+      const auto map = info().make(side, side, 3, {{option.name, format_number(value)}});
       if (!map) continue;  // a corridor this wide needs a larger map
       const Cell corner = start();
       EXPECT_EQ(map->state(corner), CellState::free);

@@ -12,6 +12,7 @@
 #include "tests/testing/polygon_overlap.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/random_polygon.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/path/largest_distance.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/smoothing/corner_rounding.hpp"
@@ -92,7 +93,7 @@ TEST(Refinement, SmoothsALineHoweverDenselyItIsGiven) {
       const auto smooth = refined(path, space, {.smoother = SmootherChoice{smoother}});
       ASSERT_TRUE(smooth);
       EXPECT_GT(smooth->path.length(), 0.7 * path.length());
-      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      for (std::uint64_t seed = 1; seed <= test::share_of(5U); ++seed) {
         Random random(seed);
         const auto again = refined(with_points_between(random, path), space,
                                    {.smoother = SmootherChoice{smoother}});

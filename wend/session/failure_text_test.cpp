@@ -175,20 +175,24 @@ TEST(FailureText, TellAStartThatIsBoxedIn) {
 }
 
 /// Two rooms in which the robot drives about. The gap is wide enough for a disc, but not for the robot.
+FreeSpace rooms(std::size_t left, std::size_t right) {
+  std::string drawing;
+  for (int row = 0; row < 15; ++row) {
+    const bool gap = row == 3 || row == 4;
+    drawing += std::string(left, '.') + (gap ? '.' : '#') + std::string(right, '.') + '\n';
+  }
+  return space_for(drawing, "1.4,1.1; 1.4,-1.1; -1.4,-1.1; -1.4,1.1");
+}
+
 TEST(FailureText, NameTheResolutionAtWhichNothingWasFound) {
-  const auto rooms = [](std::size_t left, std::size_t right) {
-    std::string drawing;
-    for (int row = 0; row < 15; ++row) {
-      const bool gap = row == 3 || row == 4;
-      drawing += std::string(left, '.') + (gap ? '.' : '#') + std::string(right, '.') + '\n';
-    }
-    return space_for(drawing, "1.4,1.1; 1.4,-1.1; -1.4,-1.1; -1.4,1.1");
-  };
   EXPECT_EQ(answer(rooms(15, 15), between({4, 4, 0}, {27, 4, 0}), kTight),
             "unreachable: no drive from the start (4,4,E) to the goal (27,4,E) was found at this "
             "resolution, " +
                 kFinely);
-  // The room of the start is at its end long before that of the goal.
+}
+
+/// The room of the start is at its end long before that of the goal.
+TEST(FailureText, NameTheResolutionThoughOneEndIsSoonDone) {
   EXPECT_EQ(answer(rooms(5, 160), between({3, 4, 0}, {160, 4, 0}), kTight),
             "unreachable: no drive from the start (3,4,E) to the goal (160,4,E) was found at this "
             "resolution, " +
