@@ -16,10 +16,11 @@
 #include "python/src/interrupts.hpp"
 #include "python/src/registry.hpp"
 #include "python/src/space.hpp"
+#include "wend/base/registry.hpp"
 #include "wend/base/thread_workers.hpp"
-#include "wend/control/controller.hpp"
+#include "wend/control/controller_fields.hpp"
 #include "wend/io/files.hpp"
-#include "wend/path/smoothing/smoother.hpp"
+#include "wend/path/smoothing/smoother_fields.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planner_fields.hpp"
@@ -41,7 +42,7 @@ nb::object object_of(const std::vector<std::string>& texts) {
 }
 nb::object object_of(const std::vector<OptionInfo>& options);
 
-/// A dictionary of the facts of a planner or an option.
+/// A dictionary of the facts of a planner, a smoother, a controller or an option.
 template <class Info>
 nb::dict entry_of(const Info& info) {
   nb::dict entry;
@@ -59,36 +60,10 @@ nb::list options_of(const std::vector<OptionInfo>& options) {
 
 nb::object object_of(const std::vector<OptionInfo>& options) { return options_of(options); }
 
-nb::list planners_list() {
+template <class Info>
+nb::list listed(const Registry<Info>& registry) {
   nb::list list;
-  for (const PlannerInfo& planner : planners()) list.append(entry_of(planner));
-  return list;
-}
-
-nb::list smoothers_list() {
-  nb::list list;
-  for (const SmootherInfo& smoother : smoothers()) {
-    nb::dict entry;
-    entry["name"] = str_of(smoother.name);
-    entry["summary"] = str_of(smoother.summary);
-    entry["paper"] = str_of(smoother.citation);
-    entry["options"] = options_of(smoother.options);
-    list.append(entry);
-  }
-  return list;
-}
-
-nb::list controllers_list() {
-  nb::list list;
-  for (const ControllerInfo& controller : controllers()) {
-    nb::dict entry;
-    entry["name"] = str_of(controller.name);
-    entry["summary"] = str_of(controller.summary);
-    entry["idea"] = str_of(controller.idea);
-    entry["paper"] = str_of(controller.citation);
-    entry["options"] = options_of(controller.options);
-    list.append(entry);
-  }
+  for (const Info& info : registry) list.append(entry_of(info));
   return list;
 }
 
@@ -164,9 +139,9 @@ bool has_option(const PlannerInfo& planner, std::string_view name) {
 }
 
 void bind_registry(nb::module_& module) {
-  module.def("planners", &planners_list);
-  module.def("smoothers", &smoothers_list);
-  module.def("controllers", &controllers_list);
+  module.def("planners", [] { return listed(planners()); });
+  module.def("smoothers", [] { return listed(smoothers()); });
+  module.def("controllers", [] { return listed(controllers()); });
   module.def("trajectory_limits", [] { return options_of(option_schema<TrajectoryLimits>()); });
 
   nb::class_<Index>(module, "Index", "What a planner with an index computed for a map and a robot.")

@@ -74,6 +74,8 @@ class SmootherInfo(NamedTuple):
     summary: str
     paper: str
     options: tuple[OptionInfo, ...]
+    drives: bool
+    """Does it take paths of poses, and only these?"""
 
 
 class ControllerInfo(NamedTuple):
@@ -84,6 +86,8 @@ class ControllerInfo(NamedTuple):
     idea: str
     paper: str
     options: tuple[OptionInfo, ...]
+    turns_in_place: bool
+    """Does it turn in place? Then it does not fit a bicycle."""
 
 
 def _with_options(entry: Mapping[str, Any]) -> dict[str, Any]:

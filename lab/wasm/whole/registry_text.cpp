@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "lab/wasm/json.hpp"
-#include "wend/control/controller.hpp"
+#include "wend/base/registry.hpp"
+#include "wend/control/controller_fields.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/path/smoothing/smoother.hpp"
+#include "wend/path/smoothing/smoother_fields.hpp"
 #include "wend/planner/planner_fields.hpp"
 #include "wend/robot/robot_fields.hpp"
 #include "wend/session/request_fields.hpp"
@@ -45,7 +46,7 @@ void write(Json& json, const Value& value) {
   json.value(value);
 }
 
-/// The facts of a planner or an option.
+/// The facts of a planner, a smoother, a controller or an option.
 template <class Info>
 void write_facts(Json& json, const Info& info) {
   visit_fields(info, [&json](std::string_view name, const auto& value) {
@@ -56,11 +57,6 @@ void write_facts(Json& json, const Info& info) {
 void write(Json& json, const OptionInfo& option, std::string_view unit) {
   write_facts(json.object(), option);
   json.field("unit", unit).end_object();
-}
-
-void write(Json& json, const PlannerInfo& planner) {
-  write_facts(json.object(), planner);
-  json.end_object();
 }
 
 /// A list of fields: options with a unit.
@@ -84,24 +80,15 @@ void write(Json& json, const GeneratorInfo& generator) {
   json.end_object();
 }
 
-void write(Json& json, const SmootherInfo& smoother) {
-  json.object()
-      .field("name", smoother.name)
-      .field("summary", smoother.summary)
-      .field("citation", smoother.citation)
-      .field("drives", smoother.drives);
-  write(json.key("options"), smoother.options);
-  json.end_object();
-}
-
-void write(Json& json, const ControllerInfo& controller) {
-  json.object()
-      .field("name", controller.name)
-      .field("summary", controller.summary)
-      .field("citation", controller.citation)
-      .field("turnsInPlace", controller.turns_in_place);
-  write(json.key("options"), controller.options);
-  json.end_object();
+/// A list of planners, smoothers or controllers.
+template <class Info>
+void write(Json& json, std::string_view name, const Registry<Info>& registry) {
+  json.key(name).array();
+  for (const Info& info : registry) {
+    write_facts(json.object(), info);
+    json.end_object();
+  }
+  json.end_array();
 }
 
 }  // namespace
@@ -109,15 +96,12 @@ void write(Json& json, const ControllerInfo& controller) {
 std::string registry_text() {
   Json json;
   json.object().field("version", std::string_view(WEND_VERSION));
-  json.key("planners").array();
-  for (const PlannerInfo& planner : planners()) write(json, planner);
-  json.end_array().key("generators").array();
+  write(json, "planners", planners());
+  json.key("generators").array();
   for (const GeneratorInfo& generator : generators()) write(json, generator);
-  json.end_array().key("smoothers").array();
-  for (const SmootherInfo& smoother : smoothers()) write(json, smoother);
-  json.end_array().key("controllers").array();
-  for (const ControllerInfo& controller : controllers()) write(json, controller);
   json.end_array();
+  write(json, "smoothers", smoothers());
+  write(json, "controllers", controllers());
   write(json, "robotFields", robot_fields());
   write(json, "requestFields", request_fields());
   json.end_object();
