@@ -3,7 +3,8 @@
 // Joins: the points of a path at which its legs meet, as indices of its cells, waypoints or poses. A leg goes from one
 // join to the next, both included; the first begins at the path's start, the last ends at its end.
 //
-//   const std::vector<wend::Path> legs = wend::legs_between(path, {{4, 9}});  // three legs
+//   const std::array<std::size_t, 2> joins{4, 9};
+//   const std::vector<wend::Path> legs = wend::legs_between(path, joins);  // three legs
 //   const wend::Path same = wend::end_to_end(legs);
 
 #include <cstddef>

@@ -129,8 +129,7 @@ Expected<PlanAnswer, RequestFailure> LegWalk::plan_within(const PlanRequest& req
   if (expansions != Limits::kUnlimited) {
     expansions = (expansions - std::min(expansions, metrics_.expanded)) / shares;
   }
-  auto answer =
-      planner_.plan(request, shares == 1 ? deadline_ : Deadline(limits), expansions);
+  auto answer = planner_.plan(request, shares == 1 ? deadline_ : Deadline(limits), expansions);
   add(metrics_, answer ? answer->plan.metrics : answer.error().metrics);
   seconds_ += answer ? answer->search_seconds : answer.error().search_seconds;
   return answer;
@@ -208,19 +207,17 @@ PlanAnswer LegWalk::joined_answer() {
 }  // namespace
 
 Pose beginning_of(const Path& path) {
-  return path.visit([](std::span<const Cell> cells) { return pose_at(cells.front()); },
-                    [](std::span<const Point> points) {
-                      return Pose{points.front().x, points.front().y, 0};
-                    },
-                    [](const JoinedPoses& drive) { return drive.poses().front(); });
+  return path.visit(
+      [](std::span<const Cell> cells) { return pose_at(cells.front()); },
+      [](std::span<const Point> points) { return Pose{points.front().x, points.front().y, 0}; },
+      [](const JoinedPoses& drive) { return drive.poses().front(); });
 }
 
 Pose end_of(const Path& path) {
-  return path.visit([](std::span<const Cell> cells) { return pose_at(cells.back()); },
-                    [](std::span<const Point> points) {
-                      return Pose{points.back().x, points.back().y, 0};
-                    },
-                    [](const JoinedPoses& drive) { return drive.poses().back(); });
+  return path.visit(
+      [](std::span<const Cell> cells) { return pose_at(cells.back()); },
+      [](std::span<const Point> points) { return Pose{points.back().x, points.back().y, 0}; },
+      [](const JoinedPoses& drive) { return drive.poses().back(); });
 }
 
 std::vector<PlanLeg> named_legs(std::size_t vias, bool closed) {

@@ -119,7 +119,8 @@ TEST_P(EveryPlannersLegs, AreThePlansMadeAlone) {
       if (!expected) {
         EXPECT_EQ(i + 1, legs.size());
         EXPECT_TRUE(answer.error().message.ends_with(expected.error().message))
-            << answer.error().message << "\n" << expected.error().message;
+            << answer.error().message << "\n"
+            << expected.error().message;
         continue;
       }
       EXPECT_EQ(legs[i].cost, expected->plan.cost);
@@ -198,7 +199,8 @@ TEST(Legs, PassTheViasExactly) {
   EXPECT_EQ(answer->legs[0].from, "start");
   EXPECT_EQ(answer->legs[0].to, "via 1");
   EXPECT_EQ(answer->legs[2].to, "goal");
-  EXPECT_EQ(answer->joins(), (std::vector<std::size_t>{answer->legs[1].first, answer->legs[2].first}));
+  EXPECT_EQ(answer->joins(),
+            (std::vector<std::size_t>{answer->legs[1].first, answer->legs[2].first}));
   EXPECT_EQ(answer->plan.bound, 1);
 }
 
@@ -280,7 +282,8 @@ TEST(Legs, RefuseWhatDoesNotBelongTogether) {
 
 TEST(Legs, RefuseNumbersThatAreNone) {
   Session session(two_rooms());
-  for (const double number : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300, -1e300}) {
+  for (const double number :
+       {std::nan(""), std::numeric_limits<double>::infinity(), 1e300, -1e300}) {
     PlanRequest request = around_the_room();
     request.vias[1].point.x = number;
     const auto outside = session.plan(request);
@@ -467,11 +470,13 @@ TEST(Legs, TurnAtAStop) {
 
 /// With headings: the heading at a join is that in which the leg before ended, also after smoothing.
 TEST(Legs, KeepTheHeadingAtTheirJoins) {
-  Session session(test::drawn_map(std::string(20, '.') + "\n" + [] {
-                    std::string rows;
-                    for (int row = 0; row < 15; ++row) rows += std::string(20, '.') + "\n";
-                    return rows;
-                  }(),
+  Session session(test::drawn_map(std::string(20, '.') + "\n" +
+                                      [] {
+                                        std::string rows;
+                                        for (int row = 0; row < 15; ++row)
+                                          rows += std::string(20, '.') + "\n";
+                                        return rows;
+                                      }(),
                                   {.resolution = 0.5, .metric = true}));
   for (const char* const planner : {"hybrid_astar", "lattice", "car"}) {
     SCOPED_TRACE(planner);

@@ -50,7 +50,6 @@ void begin_with(const Path& lead, PlanAnswer& answer) {
 
 }  // namespace
 
-
 std::vector<MapPose> PlanAnswer::poses() const {
   const Frame& frame = space.map().frame();
   std::vector<MapPose> metres;
@@ -64,9 +63,9 @@ std::vector<Goal> goals_in_grid(std::span<const MapGoal> goals, MapUnits units,
   std::vector<Goal> in_grid;
   for (const MapGoal& goal : goals) {
     const double heading = goal.heading.value_or(0);
-    Goal& added = in_grid.emplace_back(
-        given ? Pose{goal.point.x, goal.point.y, heading}
-              : frame.to_grid(MapPose{goal.point.x, goal.point.y, heading}));
+    Goal& added =
+        in_grid.emplace_back(given ? Pose{goal.point.x, goal.point.y, heading}
+                                   : frame.to_grid(MapPose{goal.point.x, goal.point.y, heading}));
     if (!goal.heading) added.heading.reset();
     added.tolerance = given ? goal.tolerance : goal.tolerance / frame.resolution;
     added.heading_tolerance = goal.heading_tolerance;

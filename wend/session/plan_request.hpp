@@ -95,8 +95,10 @@ struct PlanRequest {
   /// Places to pass on the way, in this order: see Session::plan(). A leg goes from each place to the next. The
   /// tolerances of a via are its own.
   std::vector<MapGoal> vias = {};
-  bool closed = false;         // the last leg leads back to where the path begins; then there are no goals
-  bool stops_at_vias = false;  // does the trajectory? Else it only stops where it has to turn in place
+  /// The last leg leads back to where the path begins; then there are no goals.
+  bool closed = false;
+  /// Does the trajectory stop at each via? Else it only stops where it has to turn in place.
+  bool stops_at_vias = false;
 
   /// Has it more than one leg?
   bool has_legs() const { return closed || !vias.empty(); }
@@ -106,16 +108,16 @@ struct PlanRequest {
 
 /// A leg of a plan through vias: from one place to the next.
 struct PlanLeg {
-  std::string from = {};           // "start", "via 1"
-  std::string to = {};             // "via 1", "goal"; of a closed path, at last, "start"
-  Status status = Status::found;   // of its search
-  double cost = 0;                 // as Plan::cost, and so is the bound
-  double bound = Plan::kNoBound;   // of this leg from where it begins
-  double length = 0;               // metres, of the path as the planner found it
-  double goal_shift = 0;           // metres: how far from its place it ends, see PlanAnswer::goal_shift()
-  SearchMetrics metrics = {};      // of its search
-  std::size_t first = 0;           // where it begins in the path of the plan
-  std::size_t last = 0;            // where it ends there; the next leg begins at this point
+  std::string from = {};          // "start", "via 1"
+  std::string to = {};            // "via 1", "goal"; of a closed path, at last, "start"
+  Status status = Status::found;  // of its search
+  double cost = 0;                // as Plan::cost, and so is the bound
+  double bound = Plan::kNoBound;  // of this leg from where it begins
+  double length = 0;              // metres, of the path as the planner found it
+  double goal_shift = 0;  // metres: how far from its place it ends, see PlanAnswer::goal_shift()
+  SearchMetrics metrics = {};  // of its search
+  std::size_t first = 0;       // where it begins in the path of the plan
+  std::size_t last = 0;        // where it ends there; the next leg begins at this point
 };
 
 /// A path, what was done with it, and the space that it was planned on.
@@ -138,7 +140,8 @@ struct PlanAnswer {
   /// Metres from the path's end to the nearest goal; 0 if it was reached. Set if the request says closest, or the goals
   /// were moved because no path reaches them.
   std::optional<double> remaining = {};
-  std::vector<PlanLeg> legs = {};  // of a request that has_legs(); cost, work and notes of the plan are of them all
+  /// Of a request that has_legs(). Cost, work and notes are then of all legs together.
+  std::vector<PlanLeg> legs = {};
 
   /// Where the legs meet: indices of points of path(), one fewer than legs. Empty without legs.
   WEND_API std::vector<std::size_t> joins() const;
@@ -161,8 +164,9 @@ struct PlanAnswer {
 
 /// Why there is no answer, in a sentence that says where and what would help.
 struct RequestFailure : PlanFailure {
-  double search_seconds = 0;       // by SessionOptions::clock
-  std::vector<PlanLeg> legs = {};  // of a request that has_legs(): those that were found, and the one that failed
+  double search_seconds = 0;  // by SessionOptions::clock
+  /// Of a request that has_legs(): those that were found, and the one that failed.
+  std::vector<PlanLeg> legs = {};
 };
 
 /// Goals or vias in the grid coordinates of a map.
