@@ -263,6 +263,11 @@ const std::vector<Door>& doors_of_numbers() {
                 [](const Path& path, double number, const FreeSpace& space) {
                   return timed_path(path, space, Adjacency::edges, {}, number);
                 }),
+      of_number("timed_path: window, with stops",
+                [](const Path& path, double number, const FreeSpace& space) {
+                  const std::array<std::size_t, 1> stops{path.size() / 2};
+                  return timed_path(path, space, Adjacency::edges, {}, number, stops);
+                }),
       of_number("dense_poses: tolerance",
                 [](const Path& path, double number, const FreeSpace&) {
                   return std::optional(dense_poses(path, number));
@@ -457,7 +462,8 @@ const std::vector<Door>& doors_of_poses() {
          if (field) return std::string("a field to nowhere");
          return check(session.nearest(pose));
        }},
-      {"Session::plan", [](Random& random, const FreeSpace& space) {
+      {"Session::plan",
+       [](Random& random, const FreeSpace& space) {
          Session session(space.map(), space.options());
          const Frame& frame = space.map().frame();
          PlanRequest request{frame.to_metres(Pose{1.5, 1.5, 0}),
@@ -472,6 +478,20 @@ const std::vector<Door>& doors_of_poses() {
                     &request.corner_rounding, &request.limits.seconds,
                     &request.refinement.simplify->tolerance, &*request.refinement.spacing});
          return check(session.plan(request)) + check(session.replan(request));
+       }},
+      {"Session::plan: vias", [](Random& random, const FreeSpace& space) {
+         Session session(space.map(), space.options());
+         const Frame& frame = space.map().frame();
+         PlanRequest request{frame.to_metres(Pose{1.5, 1.5, 0}),
+                             {{frame.to_metres(Point{15.5, 6.5}), 0.0}}};
+         request.vias = {{frame.to_metres(Point{5.5, 1.5}), 0.0},
+                         {frame.to_metres(Point{9.5, 2.5})}};
+         request.trajectory = TrajectoryLimits{};
+         request.stops_at_vias = random.chance(0.5);
+         MapGoal& via = request.vias.front();
+         spoil<6>(random, {&request.start.x, &via.point.x, &via.point.y, &*via.heading,
+                           &via.tolerance, &via.heading_tolerance});
+         return check(session.plan(request));
        }}};
   return doors;
 }

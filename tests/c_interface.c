@@ -193,6 +193,31 @@ static void check_ends(wend_session* session, const wend_request* request) {
   CHECK(wend_session_plan(session, &eased, &plan, NULL) == WEND_GOAL_OUTSIDE);
 }
 
+static void check_vias(wend_session* session, const wend_request* request) {
+  wend_plan* plan = NULL;
+  wend_leg leg;
+  wend_error error;
+  wend_request loop = *request;
+  const wend_pose vias[2] = {{0.25, 0.75, NAN}, {0.75, 1.25, NAN}};
+  CHECK(wend_session_plan_through(session, request, vias, 2, 0, &plan, &error) == WEND_OK);
+  CHECK(wend_plan_leg_count(plan) == 3);
+  CHECK(wend_plan_leg_at(plan, 1, &leg) == WEND_OK && leg.cost > 1 && leg.bound == 1);
+  CHECK(strcmp(leg.from, "via 1") == 0 && strcmp(leg.to, "via 2") == 0);
+  CHECK(wend_plan_poses(plan)[leg.first_pose].y == 0.75 && leg.shift == 0);
+  CHECK(wend_plan_leg_at(plan, 2, &leg) == WEND_OK);
+  CHECK(leg.last_pose + 1 == wend_plan_pose_count(plan));
+  CHECK(wend_plan_leg_at(plan, 3, &leg) == WEND_INVALID_ARGUMENT);
+  wend_plan_free(plan);
+  CHECK(wend_session_plan_through(session, request, vias, 2, 1, &plan, &error) ==
+        WEND_INVALID_ARGUMENT);
+  loop.goal_count = 0;
+  CHECK(wend_session_plan_through(session, &loop, vias, 2, 1, &plan, &error) == WEND_OK);
+  CHECK(wend_plan_poses(plan)[wend_plan_pose_count(plan) - 1].x == wend_plan_poses(plan)[0].x);
+  wend_plan_free(plan);
+  CHECK(wend_session_plan_through(session, &loop, NULL, 2, 1, &plan, &error) ==
+        WEND_INVALID_ARGUMENT);
+}
+
 static int32_t take_solution(const wend_plan* plan, void* context) {
   double* last = (double*)context;
   CHECK(wend_plan_cost(plan) <= *last && wend_plan_bound(plan) >= 1);
@@ -269,6 +294,7 @@ static void check_session(void) {
   check_poses(session);
   check_plan(session, &request);
   check_ends(session, &request);
+  check_vias(session, &request);
   check_solutions(session, &request);
   check_cancel(session, &request);
   check_field(session, &request);

@@ -411,6 +411,15 @@ WEND_C_API wend_status wend_request_field_at(size_t index, wend_field_info* info
 WEND_C_API wend_status wend_session_plan(wend_session* session, const wend_request* request,
                                          wend_plan** plan, wend_error* error);
 
+/// Plans like wend_session_plan(), through `vias` on the way, in this order, which have a heading or NaN for any; at most
+/// 1,000,000. Each leg is planned from where, and with the heading in which, the one before ended; limits are of all legs
+/// together. `closed`, 1: the path ends where it begins, and the request has no goals (goal_count 0); else 0. The message
+/// of a failure names the leg. wend_request.on_solution must be null.
+WEND_C_API wend_status wend_session_plan_through(wend_session* session, const wend_request* request,
+                                                 const wend_pose* vias, size_t via_count,
+                                                 int32_t closed, wend_plan** plan,
+                                                 wend_error* error);
+
 /// Plans like wend_session_plan(), for a robot that drives while its map changes. What is left of the path that the
 /// last call answered, from the robot's place on, is answered again unless another path is cheaper by more than
 /// wend_request.keep: if it is free on the present map, is for the same planner and goals, and the robot is no farther
@@ -462,6 +471,25 @@ WEND_C_API const char* wend_metric_help(size_t index);
 /// is near. The first call measures the path, in O(cells). Fails with WEND_INVALID_OPTION for an unknown name.
 WEND_C_API wend_status wend_plan_metric(const wend_plan* plan, const char* name, double* value,
                                         wend_error* error);
+
+/// A leg of a plan through vias. The texts belong to the plan.
+typedef struct wend_leg {
+  const char* from;  // "start", "via 1"
+  const char* to;    // "via 1", "goal"; of a closed path, at last, "start"
+  double cost;       // what the planner minimises
+  double
+      bound;  // cost <= bound * the cheapest cost from where the leg begins; infinite: no guarantee
+  double length;      // metres, as the planner found it
+  double shift;       // metres: how far from its place it ends, as wend_plan_goal_shift()
+  uint64_t expanded;  // states
+  size_t first_pose;  // of wend_plan_poses(): where it begins
+  size_t last_pose;   // where it ends; the next leg begins with this pose
+} wend_leg;
+
+/// The number of legs of a plan by wend_session_plan_through(); 0 for others, and for null.
+WEND_C_API size_t wend_plan_leg_count(const wend_plan* plan);
+/// Writes what is known of a leg. Fails with WEND_INVALID_ARGUMENT for an index of wend_plan_leg_count() or more.
+WEND_C_API wend_status wend_plan_leg_at(const wend_plan* plan, size_t index, wend_leg* leg);
 
 /// The length in metres of the way out that the path begins with (wend_request.escape); 0 without one, NaN for null.
 WEND_C_API double wend_plan_lead_out_length(const wend_plan* plan);

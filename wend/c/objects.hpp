@@ -93,6 +93,7 @@ struct wend_plan {
   double start_shift;           // metres
   double goal_shift;            // metres
   bool kept;
+  std::vector<wend::PlanLeg> legs;  // `first` and `last` are poses
   wend::FreeSpace space;
   wend::Path path;
   mutable std::once_flag measured;  // guards `measures`

@@ -54,6 +54,7 @@ void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   };
   add(scene.start.has_value(), Swatch::start, style.start, "start", 'S');
   add(!scene.goals.empty(), Swatch::goal, style.goal, "goal", 'G');
+  add(!scene.vias.empty(), Swatch::via, style.goal, "via", 'V');
   add(scene.narrowest.has_value(), Swatch::narrowest, style.narrowest, "narrowest", '!');
   add(!scene.nearest_free.empty(), Swatch::nearest_free, style.narrowest, "nearest free cell", 'N');
   add(scene.collision.has_value(), Swatch::collision, style.narrowest, "collision", 'X');

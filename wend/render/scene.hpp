@@ -106,6 +106,7 @@ struct Scene {
   std::vector<SceneLine> lines{};  // over the path, later ones over earlier ones
   std::optional<ScenePlace> start{};
   std::vector<ScenePlace> goals{};
+  std::vector<ScenePlace> vias{};  // places on the way, in order: drawn with their numbers, from 1
   std::vector<MarkedCells> marked{};  // later ones over earlier ones
   std::optional<Heatmap> heatmap{};   // under the marked cells
   /// Numbers that pictures write into the cells above those of the heatmap, from the top, where cells are large enough.

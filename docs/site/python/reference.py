@@ -22,7 +22,7 @@ PAGES = [
     ("testing", "Testing a planner of your own", ["testing.check_planner", "testing.PlannerFault"]),
     ("map", "Maps", ["Map"]),
     ("space", "Planning", ["FreeSpace", "rectangle", "Explanation", "Way", "DriveExplanation"]),
-    ("plan", "Plans, smoothing, following", ["Plan", "LeadOut", "Quality", "Trajectory", "follow", "Drive"]),
+    ("plan", "Plans, smoothing, following", ["Plan", "Leg", "LeadOut", "Quality", "Trajectory", "follow", "Drive"]),
     ("explore", "Robots that discover their map", ["explore", "Exploration"]),
     ("trace", "Traces of searches", ["Trace", "Event", "Animation"]),
     ("indexes", "Indexes", ["Index"]),
