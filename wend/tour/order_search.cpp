@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
-#include <numeric>
+#include <limits>
 #include <utility>
 
 #include "wend/base/random.hpp"
@@ -12,10 +11,10 @@
 namespace wend {
 namespace {
 
-constexpr int kDeepest = 5;                                      // edges of a change
-constexpr std::array<int, kDeepest> kBreadth = {0, 8, 5, 3, 2};  // neighbours tried for the edge of each depth
-constexpr int kNearest = 8;
-constexpr int kLongestPiece = 50;  // that a kick moves
+constexpr int kDeepest = 3;                               // edges of a change
+constexpr std::array<int, kDeepest> kBreadth = {0, 5, 3};  // neighbours tried for the edge of each depth
+constexpr int kNearest = 5;
+constexpr int kLongestPiece = 30;  // that a kick moves
 
 using Sum = std::int64_t;
 

@@ -2,7 +2,7 @@
 
 // OrderSearch: a closed tour over nodes whose costs are whole numbers and the same both ways, and how it gets shorter.
 //
-// A change removes up to five edges and adds as many, one after the other, as long as what is saved so far exceeds what
+// A change removes up to three edges and adds as many, one after the other, as long as what is saved so far exceeds what
 // is paid (Lin and Kernighan, 1973); whether the result is one tour is asked only if it would be shorter. A kick reverses the
 // order of three pieces nearby (a double bridge); if the changes around it do not win its cost back, all is undone.
 //
@@ -22,7 +22,7 @@ class OrderSearch {
  public:
   virtual ~OrderSearch() = default;
 
-  /// Looks for changes everywhere, until none pays. Returns what the tour lost, in the problem's costs.
+  /// Looks for changes everywhere, until none pays. 
   virtual void settle() = 0;
   /// One kick; is the tour shorter than before?
   virtual bool kick() = 0;

@@ -8,7 +8,7 @@
 //   if (!tour) return report(tour.error().message);
 //   for (const int stop : tour->order) drive_to(stop);
 //
-// Up to 12 stops the order is the best (dynamic programming). For more, it is a local search: changes of up to five
+// Up to 12 stops the order is the best (dynamic programming). For more, it is a local search: changes of up to three
 // legs that pay (Lin and Kernighan), and kicks: a random change nearby, which is taken back unless the search
 // makes it as good as before. On 1,000 stops of a warehouse the order is within 1 % of the best after 50 kicks
 // a stop. The bound is that of Held and Karp: no order is cheaper.
