@@ -38,7 +38,8 @@ struct Piece {
   bool reversed;
 };
 
-using Pieces = std::array<Piece, kDeepest>;
+constexpr int kMostPieces = 4;  // a kick makes four
+using Pieces = std::array<Piece, kMostPieces>;
 
 /// A ring of nodes in an array, with a log of what was written.
 class Ring {

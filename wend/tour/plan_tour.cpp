@@ -7,6 +7,7 @@
 #include "wend/base/deadline.hpp"
 #include "wend/tour/exact_order.hpp"
 #include "wend/tour/first_order.hpp"
+#include "wend/tour/lower_bound.hpp"
 #include "wend/tour/order_problem.hpp"
 #include "wend/tour/order_search.hpp"
 
@@ -39,6 +40,7 @@ class TourSearch {
     const auto search = make_order_search(problem_, *begin, options_.seed);
     search->settle();
     take(search->order());
+    bound();
     kick(*search);
     if (!(tour_.cost < CostMatrix::kNoWay)) return without_way();
     return std::move(tour_);
@@ -59,6 +61,12 @@ class TourSearch {
       return failure(deadline_.status(), "the search for an order was " + deadline_.text());
     }
     return std::move(tour_);
+  }
+
+  void bound() {
+    if (options_.bound && tour_.cost < CostMatrix::kNoWay) {
+      tour_.bound = lower_bound(problem_, tour_.cost, deadline_);
+    }
   }
 
   void kick(OrderSearch& search) {

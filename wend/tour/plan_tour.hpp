@@ -46,7 +46,7 @@ struct TourOptions {
   std::vector<StopPair> before = {}; // `first` must come somewhere before `second`
   std::vector<StopPair> fixed = {};  // must follow each other directly, in either order: the ends of a swath
   std::optional<std::uint64_t> kicks = {};  // unset: 50 a stop; with a limit on time as many as it allows
-  bool bound = true;                 // also compute Tour::bound; else it is the sum of the cheapest legs
+  bool bound = true;                 // also compute Tour::bound; else it is 0 beyond 12 stops
   std::uint64_t seed = 1;            // the same seed and number of kicks give the same order
   Limits limits = {};                // `seconds`, `clock` and `cancel`; the best order so far is the answer
   /// Is told every better order, its cost first. Null: nobody.
