@@ -21,14 +21,14 @@ Json row_json(const Comparison& comparison, const ComparedQuery& query, std::siz
   if (!row.found()) json["reason"] = row.reason;
   for (const Measure& measure : measures_of(comparison)) {
     if (!measure.of_path || measure.key == kRatio) continue;
-    json[std::string(measure.key)] = measure.of(comparison, query, planner);
+    json[measure.key] = measure.of(comparison, query, planner);
   }
   if (row.remaining) {
     json["remaining_cells"] = *row.remaining;
     json["remaining_m"] = *row.remaining * comparison.frame.resolution;
   }
   if (!row.notes.empty()) json["notes"] = row.notes;
-  json["metrics"] = json_of(SearchMetrics{row.expanded, row.generated, row.max_frontier});
+  json["metrics"] = json_of(row.metrics);
   json["times"] = {{"preparation_us", in_microseconds(row.times.preparation)},
                    {"first_query_us", in_microseconds(row.times.first)},
                    {"later_query_us", in_microseconds(row.times.later)}};
@@ -83,9 +83,9 @@ Json statistics_json(const Comparison& comparison, const std::string& name, std:
   for (const Measure& measure : measures_of(comparison)) {
     if (measure.key == "cost") continue;
     const Summary summary = summary_of(comparison, measure, planner);
-    json[std::string(measure.key)] = {{"median", summary.median},
-                                      {"mean", summary.mean},
-                                      {measure.more_is_better ? "p1" : "p99", summary.p99}};
+    json[measure.key] = {{"median", summary.median},
+                         {"mean", summary.mean},
+                         {measure.more_is_better ? "p1" : "p99", summary.p99}};
   }
   return json;
 }

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <span>
 #include <utility>
 
-#include "wend/geometry/angle.hpp"
 #include "wend/path/joins.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
@@ -19,12 +17,6 @@
 
 namespace wend {
 namespace {
-
-/// Whole eighths of a turn come out as whole degrees.
-double without_rounding(double degrees) {
-  constexpr double kDigits = 1e6;
-  return std::round(degrees * kDigits) / kDigits;
-}
 
 /// Could all planners answer the same queries?
 bool have_same_states(std::span<const PlannerSpec> specs) {
@@ -104,7 +96,7 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query,
     if (!last) asked.goals = {compared.vias[leg]};
     if (last && compared.closed) asked.goals = {Goal(beginning_of(paths.front()))};
     if (query.limits.expansions != Limits::kUnlimited) {
-      asked.limits.expansions -= std::min(asked.limits.expansions, row.expanded);
+      asked.limits.expansions -= std::min(asked.limits.expansions, row.metrics.expanded);
     }
     Leeway leeway = leeway_;
     if (leg > 0) leeway.escape = 0;
@@ -118,8 +110,12 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query,
     }
     paths.push_back(std::move(plan_.path));
   }
-  const Path path = end_to_end(paths);
-  describe(row.lead.empty() ? path : joined(row.lead, path), space_, row);
+  const Path legs_joined = end_to_end(paths);
+  const Path path = row.lead.empty() ? legs_joined : joined(row.lead, legs_joined);
+  const auto measured = measure(path, space_);
+  assert(measured);  // a planner's path
+  row.measured = *measured;
+  row.steps = path.size() - 1;
   return row;
 }
 
@@ -140,27 +136,14 @@ Status ComparisonRun::plan_eased(TimedPlanner& timed, const Query& query, const 
   row.eased.push_back({eased.query().start, eased.query().goals, plan_.metrics.expanded});
   if (first) row.lead = eased.lead();
   row.cost = first ? plan_.cost : row.cost + plan_.cost;
-  row.expanded += plan_.metrics.expanded;
-  row.generated += plan_.metrics.generated;
-  row.max_frontier = std::max(row.max_frontier, plan_.metrics.max_frontier);
+  row.metrics.expanded += plan_.metrics.expanded;
+  row.metrics.generated += plan_.metrics.generated;
+  row.metrics.max_frontier = std::max(row.metrics.max_frontier, plan_.metrics.max_frontier);
   if (status != Status::found) return status;
   eased.finish(plan_);
   row.notes.insert(row.notes.end(), eased.notes().begin(), eased.notes().end());
   row.remaining = eased.remaining();
   return status;
-}
-
-void ComparisonRun::describe(const Path& path, const FreeSpace& space, ComparisonRow& row) {
-  const auto measured = measure(path, space);
-  assert(measured);  // a planner's path
-  const PathMetrics& metrics = *measured;
-  row.length = metrics.length;
-  row.turning = without_rounding(degrees_from(metrics.turning));
-  row.largest_curvature = 1 / metrics.rounded_turning_radius;
-  row.smallest_clearance = metrics.smallest_clearance;
-  row.mean_clearance = metrics.mean_clearance;
-  row.steps = path.size() - 1;
-  row.reversals = static_cast<std::uint64_t>(metrics.reversals);
 }
 
 /// Repeats a search; one that was stopped, as far as it went. A planner that resumes would not search again, so another

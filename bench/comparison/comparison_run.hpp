@@ -68,7 +68,6 @@ class ComparisonRun {
   ComparisonRow answer_of(std::size_t planner, const Query& query, const ComparedQuery& compared);
   Status plan_eased(TimedPlanner& timed, const Query& query, const Leeway& leeway,
                     ComparisonRow& row);
-  static void describe(const Path& path, const FreeSpace& space, ComparisonRow& row);
   std::vector<Path> again(std::size_t planner, std::size_t query, SearchObserver* observer) const;
 
   FreeSpace space_;

@@ -132,9 +132,9 @@ TEST(ComparisonRun, CountsAndRecordsTheFirstSearchOfPlannersThatResume) {
       const auto fresh = make_planner(row.planner, space, {});
       const auto plan = (*fresh)->plan(Query::between({0, 0}, {29, 19}));
       ASSERT_TRUE(plan);
-      EXPECT_EQ(row.expanded, plan->metrics.expanded);
-      EXPECT_EQ(row.generated, plan->metrics.generated);
-      EXPECT_GT(row.expanded, 0U);
+      EXPECT_EQ(row.metrics.expanded, plan->metrics.expanded);
+      EXPECT_EQ(row.metrics.generated, plan->metrics.generated);
+      EXPECT_GT(row.metrics.expanded, 0U);
       EXPECT_FALSE(run.record(planner, 0).expansions().empty());
     }
   }
@@ -248,18 +248,18 @@ TEST(ComparisonRun, SaysOfEveryPlannerWhatItsPlanSays) {
       const PathMetrics metrics = *measure(plan->path, space);
       EXPECT_EQ(row.planner, spec.text);
       EXPECT_EQ(row.cost, plan->cost);
-      EXPECT_EQ(row.length, metrics.length);
-      EXPECT_NEAR(row.turning, degrees_from(metrics.turning), 1e-6);
-      EXPECT_EQ(row.turning, 45 * std::round(row.turning / 45)) << "whole eighths of a turn";
-      EXPECT_EQ(row.smallest_clearance, metrics.smallest_clearance);
-      EXPECT_EQ(row.expanded, plan->metrics.expanded);
-      EXPECT_EQ(row.generated, plan->metrics.generated);
-      EXPECT_EQ(row.max_frontier, plan->metrics.max_frontier);
+      EXPECT_EQ(row.measured.length, metrics.length);
+      EXPECT_EQ(row.measured.turning, metrics.turning);
+      EXPECT_NEAR(std::remainder(metrics.turning, kPi / 4), 0, 1e-6) << "whole eighths of a turn";
+      EXPECT_EQ(row.measured.smallest_clearance, metrics.smallest_clearance);
+      EXPECT_EQ(row.metrics.expanded, plan->metrics.expanded);
+      EXPECT_EQ(row.metrics.generated, plan->metrics.generated);
+      EXPECT_EQ(row.metrics.max_frontier, plan->metrics.max_frontier);
       EXPECT_EQ(row.times.preparation, 1) << "two looks at the clock";
       EXPECT_EQ(row.times.first, 1);
       EXPECT_EQ(row.times.later, 1);
       EXPECT_EQ(run.path(planner, i), plan->path);
-      EXPECT_EQ(run.record(planner, i).expansions().size(), row.expanded);
+      EXPECT_EQ(run.record(planner, i).expansions().size(), row.metrics.expanded);
     }
   }
 }
@@ -272,7 +272,7 @@ TEST(ComparisonRun, RepeatsASearchThatWasStoppedAsFarAsItWent) {
   run.answer({{0, 0}, {29, 29}}, limits);
   const ComparisonRow& row = run.comparison().queries[0].rows[0];
   EXPECT_EQ(row.status, Status::expansion_limit);
-  EXPECT_EQ(row.expanded, 40U);
+  EXPECT_EQ(row.metrics.expanded, 40U);
   EXPECT_EQ(run.record(0, 0).expansions().size(), 40U);
   EXPECT_TRUE(run.path(0, 0).empty());
 }
@@ -300,13 +300,14 @@ TEST(ComparisonRun, ComparesCars) {
     const auto plan = (*make_planner(spec.name, space, spec.options))->plan(query);
     ASSERT_TRUE(plan && row.found());
     EXPECT_EQ(row.cost, plan->cost);
-    EXPECT_NEAR(row.length, plan->cost * (planner == 0 ? 1 : 2), 1e-9)
+    EXPECT_NEAR(row.measured.length, plan->cost * (planner == 0 ? 1 : 2), 1e-9)
         << "on even ground, in cells";
     EXPECT_EQ(row.steps, plan->moves.size());
-    EXPECT_EQ(row.turning, 90 * std::round(row.turning / 90)) << "whole quarters of a turn";
+    EXPECT_NEAR(std::remainder(row.measured.turning, kPi / 2), 0, 1e-6)
+        << "whole quarters of a turn";
     EXPECT_EQ(run.path(planner, 0), plan->path);
     const SearchRecorder recorder = run.record(planner, 0);
-    EXPECT_EQ(recorder.expansions().size(), row.expanded);
+    EXPECT_EQ(recorder.expansions().size(), row.metrics.expanded);
     EXPECT_TRUE(recorder.snapshot().expanded[(Cell{0, 0})]);
   }
 }
@@ -318,17 +319,17 @@ TEST(ComparisonRun, CountsHowOftenACarReverses) {
   run.answer(Query{{4, 0, 0}, {Pose{0, 0, 0}}});
   run.answer(Query{{0, 0, 0}, {Pose{0, 0, kPi / 2}}});
   const auto& queries = run.comparison().queries;
-  EXPECT_EQ(queries[0].rows[0].reversals, 0U);
+  EXPECT_EQ(queries[0].rows[0].measured.reversals, 0);
   EXPECT_EQ(queries[0].rows[0].steps, 4U);
-  EXPECT_EQ(queries[1].rows[0].reversals, 0U) << "in reverse all the way";
+  EXPECT_EQ(queries[1].rows[0].measured.reversals, 0) << "in reverse all the way";
   const auto plan = (*make_planner("car", space))->plan(Query{{0, 0, 0}, {Pose{0, 0, kPi / 2}}});
   ASSERT_TRUE(plan);
-  std::uint64_t changes = 0;
+  int changes = 0;
   for (std::size_t i = 1; i < plan->moves.size(); ++i) {
     changes += plan->moves[i].substr(0, 3) != plan->moves[i - 1].substr(0, 3) ? 1 : 0;
   }
-  EXPECT_GT(changes, 0U);
-  EXPECT_EQ(queries[2].rows[0].reversals, changes);
+  EXPECT_GT(changes, 0);
+  EXPECT_EQ(queries[2].rows[0].measured.reversals, changes);
 }
 
 TEST(ComparisonRun, SaysWhyACarFindsNothing) {

@@ -212,7 +212,7 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
       for (const Goal& goal : asked.goals) {
         ends.goals.push_back(coordinates.place("goal", cell_at(goal.point)));
       }
-      const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
+      const SearchMetrics& metrics = row.metrics;
       Explainer explainer = explainer_for(space, coordinates, run.grid_moves(i));
       explainer.allow(arguments.request.leeway(coordinates));
       if (is_limit(row.status)) {
@@ -229,8 +229,9 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
 }
 
 std::string caption_of(const ComparisonRow& row, const std::string& cost_name) {
-  if (!row.found()) return fmt::format("{}, {} expanded", describe(row.status), row.expanded);
-  return fmt::format("{} {:.6g}, {} expanded", cost_name, row.cost, row.expanded);
+  if (!row.found())
+    return fmt::format("{}, {} expanded", describe(row.status), row.metrics.expanded);
+  return fmt::format("{} {:.6g}, {} expanded", cost_name, row.cost, row.metrics.expanded);
 }
 
 /// A panel for each planner: what it expanded for the first query, and its path.

@@ -84,7 +84,7 @@ TEST(Explorer, ReachesWhatCanBeReached) {
 TEST(Explorer, KeepsItsPathWhileItIsFree) {
   int kept = 0;
   int changed = 0;
-  for (std::uint64_t seed = 1; seed <= 60 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(60U) && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const GridMap map = random_truth(random);
@@ -107,8 +107,8 @@ TEST(Explorer, KeepsItsPathWhileItIsFree) {
       (same ? kept : changed) += 1;
     }
   }
-  EXPECT_GT(kept, 100);
-  EXPECT_GT(changed, 20);
+  EXPECT_GT(kept, test::share_of(100));
+  EXPECT_GT(changed, test::share_of(20));
 }
 
 /// Who knows the map drives a cheapest path and plans once.

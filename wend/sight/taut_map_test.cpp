@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/testing/random_cells.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 
 namespace wend {
@@ -22,7 +23,7 @@ std::shared_ptr<const Portals> portals_of(const BitGrid& free, bool gaps) {
 
 TEST(TautMap, TellsTheCornersThatASweepFinds) {
   std::size_t corners = 0;
-  for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(200U) && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const BitGrid free = test::random_cells(random, 40, 0.5);
@@ -43,7 +44,7 @@ TEST(TautMap, TellsTheCornersThatASweepFinds) {
       corners += swept.size();
     }
   }
-  EXPECT_GT(corners, 10'000U);
+  EXPECT_GT(corners, test::share_of(10'000U));
 }
 
 TEST(TautMap, KnowsTheEdgesThatAGraphLearns) {

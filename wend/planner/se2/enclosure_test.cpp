@@ -52,7 +52,7 @@ bool slides_there(const FreeSpace& space, const Pose& from, const Pose& to) {
     for (const int by : {-1, 1}) {
       for (const Place& place : {Place{x + by, y, heading}, Place{x, y + by, heading},
                                  Place{x, y, (heading + by + kHeadings) % kHeadings}}) {
-        if (!space.fits(pose_of(place)) || !seen.insert(place).second) continue;
+        if (!seen.insert(place).second || !space.fits(pose_of(place))) continue;
         places.push_back(place);
       }
     }

@@ -11,6 +11,7 @@
 #include "conformance/reference.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_arc.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
@@ -287,7 +288,7 @@ TEST(PointSweep, GoesAlongArcsAsTheirPointsDo) {
   constexpr int kSamples = 500;
   int fitting = 0;
   int entering = 0;
-  for (std::uint64_t seed = 1; seed <= 1500 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(1500U) && !HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
     const FreeSpace space = *make_free_space(map);
@@ -315,8 +316,8 @@ TEST(PointSweep, GoesAlongArcsAsTheirPointsDo) {
     fitting += clearance > std::abs(arc.length) / kSamples / 2 ? 1 : 0;
     entering += enters ? 1 : 0;
   }
-  EXPECT_GT(fitting, 300);
-  EXPECT_GT(entering, 300);
+  EXPECT_GT(fitting, test::share_of(300));
+  EXPECT_GT(entering, test::share_of(300));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/map/connected_components.hpp"
@@ -75,7 +76,7 @@ Grid<CellState> boxes(Random& random, int least) {
 TEST(CoarseSize, IsTheLargestOfWhichHardlyAnySquareFallsApart) {
   int large = 0;
   int small = 0;
-  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::share_of(600U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const FreeSpace space = space_of(boxes(random, random.between(1, 8)));
@@ -90,8 +91,8 @@ TEST(CoarseSize, IsTheLargestOfWhichHardlyAnySquareFallsApart) {
     }
     (size == limit ? large : small) += 1;
   }
-  EXPECT_GT(large, 30);
-  EXPECT_GT(small, 30);
+  EXPECT_GT(large, test::share_of(30));
+  EXPECT_GT(small, test::share_of(30));
 }
 
 TEST(CoarseSize, FollowsTheRadiusOfTheRobotWhateverTheMap) {
