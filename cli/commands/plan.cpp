@@ -35,7 +35,7 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend plan grid.txt --planner ara_star --limit-time 0.05 --start 0,0 --goal 9,9
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth --trajectory drive.csv
-  wend plan office.yaml --start 1,1 --via 8,2 --via 15,9 --closed -o loop.png
+  wend plan office.yaml --start 1,1 --via 8,2 --via 15,5 --closed -o loop.png
   wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv
   wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o -
 
