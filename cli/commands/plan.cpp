@@ -110,7 +110,7 @@ void check_vias(const Parser& plan, const PlanArguments& arguments) {
   }
   if (!passes_vias) return;
   for (const char* const flag :
-       {"--step", "--animate", "--open-list", "--verbose", "--trace", "--plot", "--queries"}) {
+       {"--step", "--animate", "--open-list", "--verbose", "--trace", "--plot"}) {
     if (const std::string typed = plan.typed(flag); !typed.empty()) {
       throw InputError(fmt::format(
           "{} cannot be combined with --via, which makes a search for each leg: plan one leg",
@@ -145,7 +145,7 @@ void check_idle(const Parser& plan, const PlanArguments& arguments) {
   if (!arguments.queries.empty()) {
     refuse_idle(plan,
                 {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding",
-                 "--trajectory", "--plot", "--times", "--closed"},
+                 "--trajectory", "--plot", "--times", "--via", "--closed", "--stop"},
                 "--queries only answers queries; it draws, smooths and times nothing");
   }
   arguments.pictures.check(plan, output.any_picture() || !arguments.plot.empty(),
