@@ -35,7 +35,7 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend plan grid.txt --planner ara_star --limit-time 0.05 --start 0,0 --goal 9,9
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth --trajectory drive.csv
-  wend plan office.yaml --start 1,1 --via 8,2 --via 15,9 --closed -o loop.png
+  wend plan office.yaml --start 1,1 --via 8,2 --via 15,5 --closed -o loop.png
   wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv
   wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o -
 
@@ -110,7 +110,7 @@ void check_vias(const Parser& plan, const PlanArguments& arguments) {
   }
   if (!passes_vias) return;
   for (const char* const flag :
-       {"--step", "--animate", "--open-list", "--verbose", "--trace", "--plot", "--queries"}) {
+       {"--step", "--animate", "--open-list", "--verbose", "--trace", "--plot"}) {
     if (const std::string typed = plan.typed(flag); !typed.empty()) {
       throw InputError(fmt::format(
           "{} cannot be combined with --via, which makes a search for each leg: plan one leg",
@@ -145,7 +145,7 @@ void check_idle(const Parser& plan, const PlanArguments& arguments) {
   if (!arguments.queries.empty()) {
     refuse_idle(plan,
                 {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding",
-                 "--trajectory", "--plot", "--times", "--closed"},
+                 "--trajectory", "--plot", "--times", "--via", "--closed", "--stop"},
                 "--queries only answers queries; it draws, smooths and times nothing");
   }
   arguments.pictures.check(plan, output.any_picture() || !arguments.plot.empty(),
