@@ -15,6 +15,8 @@ struct Command {
 
 Command add_plan(Parser& app);
 Command add_field(Parser& app);
+Command add_matrix(Parser& app);
+Command add_tour(Parser& app);
 Command add_index(Parser& app);
 Command add_planners(Parser& app);
 

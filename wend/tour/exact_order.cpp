@@ -50,6 +50,7 @@ class ExactOrder {
 
   bool may_begin(int stop) const {
     if (problem_.closed) return stop == problem_.first && earlier(stop) == 0;
+    if (stop == problem_.end && stops_ > 1) return false;
     return (problem_.start == OrderProblem::kNone || stop == problem_.start) && earlier(stop) == 0;
   }
 

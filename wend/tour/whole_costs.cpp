@@ -24,8 +24,9 @@ std::vector<WholeCost> whole_costs(const OrderProblem& problem, bool both_ways) 
     const double way = problem.costs(from, to);
     const double cost = both_ways ? std::min(way, problem.costs(to, from)) : way;
     if (cost == CostMatrix::kNoWay) return kNoWholeCost;
-    if (problem.tied(from, to)) return kTiedWholeCost;
-    return largest > 0 ? static_cast<WholeCost>(std::lround(cost / largest * kLargestWholeCost)) : 0;
+    const WholeCost whole =
+        largest > 0 ? static_cast<WholeCost>(std::lround(cost / largest * kLargestWholeCost)) : 0;
+    return problem.tied(from, to) ? kTiedWholeCost + whole : whole;
   };
   std::vector<WholeCost> whole;
   whole.reserve(problem.costs.values().size());

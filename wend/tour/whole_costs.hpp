@@ -16,12 +16,12 @@ using WholeCost = std::int32_t;
 inline constexpr WholeCost kLargestWholeCost = WholeCost{1} << 22;
 /// Where there is no way. Search avoids it at almost any price.
 inline constexpr WholeCost kNoWholeCost = WholeCost{1} << 28;
-/// Between places that are tied.
+/// Is added between places that are tied.
 inline constexpr WholeCost kTiedWholeCost = -(WholeCost{1} << 29);
 /// Between the two nodes of a place.
 inline constexpr WholeCost kInsidePlace = -(WholeCost{1} << 30);
 
-/// Costs between places, row after row; those of ties are kTiedWholeCost. `both_ways`: the cheaper of the two ways.
+/// Costs between places, row after row; those of ties are lower by kTiedWholeCost. `both_ways`: the cheaper of the two ways.
 std::vector<WholeCost> whole_costs(const OrderProblem& problem, bool both_ways);
 
 /// A node is a place.
