@@ -70,6 +70,7 @@ nb::list planners_list() {
     entry["memory"] = str_of(planner.memory);
     entry["when"] = str_of(planner.when);
     entry["terrain"] = planner.capabilities.terrain;
+    entry["directions"] = planner.capabilities.directions;
     entry["any_angle"] = planner.capabilities.any_angle;
     entry["headings"] = planner.capabilities.headings;
     entry["preprocessing"] = name_of(planner.preprocessing);

@@ -104,6 +104,7 @@ std::string planner_listing_json(const Registry<PlannerInfo>& planners) {
                        {"when", planner.when},
                        {"motion", planner.motion},
                        {"plans_on_terrain", planner.capabilities.terrain},
+                       {"plans_with_directions", planner.capabilities.directions},
                        {"preprocessing", choice_name(planner.preprocessing)},
                        {"can_step", planner.capabilities.can_step},
                        {"citation", planner.citation},
