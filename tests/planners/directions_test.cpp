@@ -64,7 +64,8 @@ TEST(Directions, AFieldHasTheCostsTowardsItsGoal) {
     const auto field = CostToGo::make(space, std::array{goal});
     ASSERT_EQ(field.has_value(), reference.passable(goal));
     if (!field) continue;
-    for (const Cell start : every_cell(map)) {
+    for (int i = 0; i < 4; ++i) {
+      const Cell start = random_cell(random, map.width(), map.height());
       const double expected = reference.costs_from(start)[reference.number(goal)];
       if (std::isinf(expected)) {
         EXPECT_TRUE(std::isinf(field->cost(start)));
@@ -80,7 +81,7 @@ TEST(Directions, AFieldHasTheCostsTowardsItsGoal) {
 
 TEST(Directions, RefinedPathsLeadAgainstNoArrow) {
   int changed = 0;
-  for (std::uint64_t seed = 0; seed < share_of(std::uint64_t{200}); ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(std::uint64_t{600}); ++seed) {
     Random random(seed);
     const GridMap map = with_random_directions(random, random_map(random));
     const Trial trial{map, random_robot(random, map.frame().resolution), {}};

@@ -10,7 +10,9 @@
 //
 // O(cells of the way).
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -53,6 +55,17 @@ struct WayPart {
   double heading;  // of the move, in radians
 };
 
+/// The cell of the map that a point on a way lies in: on a border that of the greater coordinate, on the map's edge the one
+/// inside; nothing off the map.
+inline std::optional<Cell> judging_cell(const FreeSpace& space, Point point) {
+  constexpr double kSliver = 1e-6;  // cells
+  for (const double aside : {kSliver, -kSliver}) {
+    const Cell cell = cell_at(Point{point.x + aside, point.y + aside});
+    if (space.contains(cell)) return cell;
+  }
+  return std::nullopt;
+}
+
 /// Calls `visit(part)` for the parts of a line, in order, until it returns false; parts off the map are left out. False if
 /// it did. The line is near_map().
 template <class Visit>
@@ -78,11 +91,8 @@ bool for_each_part(const FreeSpace& space, const Line& line, Visit&& visit) {
     if (x <= next) ++i;
     if (y <= next) ++j;
     const double part = (next - share) * length;
-    const Point middle = line.at((share + next) / 2);
-    const Cell cell = cell_at(Point{middle.x + kSliver, middle.y + kSliver});
-    if (part > kSliver && space.contains(cell) && !visit(WayPart{cell, part, heading})) {
-      return false;
-    }
+    const auto cell = judging_cell(space, line.at((share + next) / 2));
+    if (part > kSliver && cell && !visit(WayPart{*cell, part, heading})) return false;
     share = next;
   }
   return true;
@@ -90,18 +100,18 @@ bool for_each_part(const FreeSpace& space, const Line& line, Visit&& visit) {
 /// The same for an arc, near_map() too: in equal parts of at most a sixteenth of a cell.
 template <class Visit>
 bool for_each_part(const FreeSpace& space, const Arc& arc, Visit&& visit) {
-  constexpr double kSliver = 1e-6;
   constexpr double kPart = 1.0 / 16;
-  if (arc.curvature == 0)
+  if (arc.curvature == 0) {
     return for_each_part(space, Line{arc.from.point(), end_of(arc).point()}, visit);
+  }
   const double length = std::abs(arc.length);
   const int parts = 1 + static_cast<int>(length / kPart);
   for (int i = 0; i < parts; ++i) {
     const Pose pose = pose_on(arc, arc.length * (i + 0.5) / parts);
-    const Cell cell = cell_at(Point{pose.x + kSliver, pose.y + kSliver});
-    if (!space.contains(cell)) continue;
+    const auto cell = judging_cell(space, pose.point());
+    if (!cell) continue;
     const double heading = arc.length < 0 ? normalized_angle(pose.heading + kPi) : pose.heading;
-    if (!visit(WayPart{cell, length / parts, heading})) return false;
+    if (!visit(WayPart{*cell, length / parts, heading})) return false;
   }
   return true;
 }
