@@ -24,6 +24,7 @@
 #include "wend/explore/visible_cells.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/geometry/curve.hpp"
+#include "wend/map/direction_map.hpp"
 #include "wend/map/masked.hpp"
 #include "wend/map/occupancy.hpp"
 #include "wend/map/own_costs.hpp"
@@ -579,6 +580,29 @@ const std::vector<Door>& doors_of_robots_and_maps() {
          const auto mask = make_grid_map(Grid<CellState>(3, 2, CellState::occupied), frame);
          return mask ? check(masked(space.map(), *mask)) + check(masked(*mask, space.map()))
                      : check(mask);
+       }},
+      {"with_arrows, with_heights",
+       [](Random& random, const FreeSpace& space) {
+         const GridMap& map = space.map();
+         Grid<double> values(map.width(), map.height(), 1.0);
+         ArrowOptions arrow{.tolerance = 1, .factor = 2};
+         SlopeOptions slope{.climb = 1, .descend = 1};
+         if (random.chance(0.5)) {
+           values[{3, 1}] = absurd_number(random);
+         } else {
+           spoil<4>(random, {&arrow.tolerance, &arrow.factor, &slope.climb, &slope.descend});
+         }
+         const auto answered = [](const auto& made) {
+           if (!made) return check(made);
+           const auto directed = make_free_space(*made);
+           if (!directed) return check(directed);
+           const auto planner = make_planner("astar", *directed);
+           if (!planner) return planner.error().message;
+           const auto plan = (*planner)->plan(Query::between({1, 1}, {9, 1}));
+           return plan ? check(plan->cost) : std::string();
+         };
+         return answered(with_arrows(map, values, arrow)) +
+                answered(with_heights(map, values, slope));
        }},
       {"Explorer", [](Random& random, const FreeSpace& space) {
          const bool range = random.chance(0.5);

@@ -70,6 +70,16 @@ static void check_costs(void) {
   wend_map_free(changed);
   CHECK(wend_map_with_costs(grid, cost_of, &factor, &changed, NULL) == WEND_OK && changed != NULL);
   wend_map_free(changed);
+  CHECK(wend_map_with_arrows(grid, terrain, 4, 1, INFINITY, &changed, NULL) == WEND_OK);
+  CHECK(changed != NULL);
+  wend_map_free(changed);
+  CHECK(wend_map_with_arrows(grid, terrain, 3, 1, 2, &changed, NULL) == WEND_INVALID_ARGUMENT);
+  CHECK(wend_map_with_arrows(grid, terrain, 4, -1, 2, &changed, NULL) == WEND_INVALID_OPTION);
+  CHECK(wend_map_with_heights(grid, terrain, 4, 2, 1, &changed, NULL) == WEND_OK);
+  CHECK(changed != NULL);
+  wend_map_free(changed);
+  CHECK(wend_map_with_heights(grid, NULL, 4, 2, 1, &changed, NULL) == WEND_INVALID_ARGUMENT);
+  CHECK(wend_mask_load("oneway:there is no such file.png", &changed, NULL) == WEND_INVALID_FILE);
   CHECK(wend_mask_load("speed:there is no such file.yaml", &changed, NULL) == WEND_INVALID_FILE);
   CHECK(changed == NULL);
   wend_map_free(costmap);

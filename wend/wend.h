@@ -180,8 +180,9 @@ WEND_C_API wend_status wend_map_from_costmap(const uint8_t* costs, size_t size, 
                                              const wend_pose* origin, double cost_factor,
                                              wend_map** map, wend_error* error);
 
-/// Loads a mask: "FILE" or "keepout:FILE", whose occupied cells are zones to keep out of, or "speed:FILE", whose
-/// values are speed limits in percent. Free the mask with wend_map_free(). Fails with WEND_INVALID_FILE or
+/// Loads a mask: "FILE" or "keepout:FILE", whose occupied cells are zones to keep out of, "speed:FILE", whose values are
+/// speed limits in percent, "oneway:FILE", whose colours are the headings of one-way zones, or "height:climb=N:FILE", whose
+/// greys are heights; docs/directions.md says more. Free the mask with wend_map_free(). Fails with WEND_INVALID_FILE or
 /// WEND_INVALID_OPTION.
 WEND_C_API wend_status wend_mask_load(const char* mask, wend_map** map, wend_error* error);
 
@@ -203,6 +204,21 @@ typedef double (*wend_cost_function)(int32_t x, int32_t y, void* context);
 /// The same with `cost_of(x, y, context)` for each cell, called once, row by row.
 WEND_C_API wend_status wend_map_with_costs(const wend_map* map, wend_cost_function cost_of,
                                            void* context, wend_map** changed, wend_error* error);
+
+/// Makes a copy of a map with arrows: `count` headings in radians in the map's frame, one for each cell, row by row; NaN:
+/// none. Moves within `tolerance` radians of the arrow of a cell are free, in 0..pi; others cost `factor` times as much, 1
+/// to 10000, or are not allowed if it is infinite. Free the copy with wend_map_free(). Fails with WEND_INVALID_ARGUMENT,
+/// WEND_INVALID_MAP or WEND_INVALID_OPTION. O(cells).
+WEND_C_API wend_status wend_map_with_arrows(const wend_map* map, const double* headings,
+                                            size_t count, double tolerance, double factor,
+                                            wend_map** changed, wend_error* error);
+
+/// Makes a copy of a map with slopes: `count` heights in the map's unit of length, one for each cell, row by row; NaN:
+/// unknown. A unit of height costs `climb` units of way upwards and `descend` downwards, each 0 to 10000. Free the copy
+/// with wend_map_free(). Fails as wend_map_with_arrows() does. O(cells).
+WEND_C_API wend_status wend_map_with_heights(const wend_map* map, const double* heights,
+                                             size_t count, double climb, double descend,
+                                             wend_map** changed, wend_error* error);
 
 /// The number of columns; 0 for null.
 WEND_C_API int32_t wend_map_width(const wend_map* map);

@@ -19,6 +19,7 @@
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_csv.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
+#include "wend/map/direction_map.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/map/masked.hpp"
 #include "wend/map/occupancy.hpp"

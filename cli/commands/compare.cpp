@@ -75,7 +75,8 @@ constexpr std::array<std::string_view, 9> kTeachers{
 constexpr std::size_t kMostByDefault = 6;
 
 bool refuses(const PlannerInfo& info, const FreeSpace& space) {
-  return !space.uniform_terrain() && terrain_in_words(info) == "refused";
+  const bool refuses_directions = space.directions() != nullptr && !info.capabilities.directions;
+  return refuses_directions || (!space.uniform_terrain() && terrain_in_words(info) == "refused");
 }
 
 /// All planners that need headings as the typed start and the robot do, or six of those on cells.

@@ -61,6 +61,7 @@ void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   add_path(scene.path, style, items);
   add_lines(scene, style, items);
   add(has_arrows(scene), Swatch::arrow, style.arrows, "way to move", ' ');
+  add(!scene.arrows && arrows_of(scene.space.map()), Swatch::arrow, style.arrows, "one way", ' ');
 }
 
 /// Are there free cells where the robot cannot stand? Blocked cells in which it can put its base point do not count.
