@@ -75,7 +75,7 @@ std::optional<double> angle_of(const CoverArguments& arguments, const GridMap& m
   if (!degrees || !(*degrees >= -360 && *degrees <= 360)) {
     throw InputError(fmt::format("--angle {}: auto or degrees from -360 to 360 expected", arguments.angle));
   }
-  return *degrees * kPi / 180 - map.frame().yaw;
+  return *degrees * kPi / 180 - map.frame().origin.heading;
 }
 
 /// The cells of the map that a mask marks.
@@ -195,7 +195,7 @@ Command add_cover(Parser& app) {
   const auto arguments = std::make_shared<CoverArguments>();
   arguments->map.add_to(cover);
   add_number(cover, "--tool-width", arguments->tool_width, kWidths,
-             "Width of the tool, from 2 to 1,000 cells of the map (units as --robot-radius)")
+             "Width of the tool, from 2 to 500 cells of the map (units as --robot-radius)")
       .required();
   add_number(cover, "--overlap", arguments->overlap, kLengths,
              "How much neighbouring swaths overlap (default 0)");

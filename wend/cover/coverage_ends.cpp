@@ -13,7 +13,7 @@ namespace wend {
 namespace {
 
 constexpr double kLeastTool = 2;         // cells
-constexpr double kGreatestTool = 1'000;  // cells
+constexpr double kGreatestTool = 500;  // cells
 constexpr double kMostLength = 1e6;      // cells, of a turn cost
 
 Error invalid(std::string what, std::string option) {
@@ -66,7 +66,7 @@ std::optional<Error> fault_of(const CoverageOptions& options, const FreeSpace& s
   const double tool = options.tool_width / resolution;
   if (!within(tool, kLeastTool, kGreatestTool)) {
     return invalid("tool_width: a number from " + std::to_string(kLeastTool * resolution) + " to " +
-                       std::to_string(kGreatestTool * resolution) + " expected (2 to 1,000 cells)",
+                       std::to_string(kGreatestTool * resolution) + " expected (2 to 500 cells)",
                    "tool_width");
   }
   if (!(options.overlap >= 0 && options.overlap < options.tool_width)) {

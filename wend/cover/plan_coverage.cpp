@@ -115,6 +115,9 @@ Expected<Coverage, Error> plan_coverage(const FreeSpace& space, const CoverageOp
   const Deadline deadline(options.limits);
   CoverageArea area = area_of(space, options, *from);
   const CoverageArea untouched = area;
+  if (area.wanted().count() == 0) {
+    return failure(Status::unreachable, "the tool reaches no cell of the area", "area");
+  }
   const double resolution = space.map().frame().resolution;
   const double turn_cost = options.turn_cost.value_or(options.tool_width) / resolution;
   auto strokes = strokes_over(area, options, turn_cost, deadline);
@@ -123,6 +126,7 @@ Expected<Coverage, Error> plan_coverage(const FreeSpace& space, const CoverageOp
   StrokeOrderOptions order{.turn_cost = turn_cost, .start = options.start, .end = options.end};
   order.seed = options.seed;
   order.limits = deadline.left();
+  order.limits.seconds = deadline.seconds_left() / 2;  // the ways take time, too
   const std::size_t count = strokes->size();
   const auto in_order = ordered(untouched, std::move(*strokes), order);
   if (!in_order) return Unexpected<Error>(in_order.error());

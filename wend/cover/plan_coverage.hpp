@@ -36,7 +36,7 @@ namespace wend {
 
 /// What to cover, and how. Lengths are in metres (cells if the map's resolution is 1), points in grid coordinates.
 struct CoverageOptions {
-  double tool_width = 0;                    // from 2 to 1,000 cells
+  double tool_width = 0;                    // from 2 to 500 cells
   double overlap = 0;                       // of neighbouring swaths; from 0 to below the tool's width
   std::optional<double> angle = {};         // of all swaths, radians from +x; unset: each room its cheapest one
   std::optional<double> turn_cost = {};     // what turning around costs, as a length; unset: the tool's width
@@ -64,7 +64,8 @@ struct Coverage {
 };
 
 /// The path. Fails with invalid_option for numbers out of range, and areas of another size than the map; with start_outside,
-/// start_blocked, goal_outside, goal_blocked (the end) and unreachable (from start to end, or where the robot fits nowhere);
+/// start_blocked, goal_outside, goal_blocked (the end) unreachable (from start to end, or where the robot fits nowhere or the tool reaches nothing of the area);
+/// memory_limit for more than some thousand strokes, whose order takes too much memory;
 /// with time_limit or cancelled if there is no path before. O(cells + strokes^2) and the order's search.
 WEND_API Expected<Coverage, Error> plan_coverage(const FreeSpace& space, const CoverageOptions& options);
 

@@ -295,7 +295,7 @@ TEST(PlanCoverage, RefusesWrongOptions) {
   };
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  for (const double width : {0.0, -1.0, 1.5, 1e9, kNan, kInfinity}) {
+  for (const double width : {0.0, -1.0, 1.5, 501.0, 1e9, kNan, kInfinity}) {
     EXPECT_EQ(where_of({.tool_width = width}), "tool_width") << width;
   }
   for (const double overlap : {-0.1, 4.0, kNan, kInfinity}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "wend/cover/coarse_ways.hpp"
@@ -14,6 +15,7 @@
 namespace wend {
 namespace {
 
+constexpr std::size_t kMostStops = 8'000;  // half a gigabyte of costs
 constexpr double kSight = 8;  // tool widths, up to which lines of sight are looked for
 
 /// An end of a stroke, or a place of the robot.
@@ -68,7 +70,6 @@ class StopCosts {
 
   CostMatrix matrix() const {
     CostMatrix costs(static_cast<int>(stops_.size()), 0.0);
-    std::vector<std::vector<double>> lengths(0);
     std::vector<std::size_t> by_node(stops_.size());
     for (std::size_t i = 0; i < by_node.size(); ++i) by_node[i] = i;
     std::ranges::stable_sort(by_node, {}, [&](std::size_t i) { return node_of(stops_[i]); });
@@ -115,7 +116,7 @@ class StopCosts {
 
 TourOptions tour_options(const std::vector<Stop>& stops, const StrokeOrderOptions& options) {
   TourOptions tour;
-  tour.kicks = options.kicks_per_stroke * stops.size();
+  tour.kicks = options.kicks_per_stop * stops.size();
   tour.bound = false;
   tour.seed = options.seed;
   tour.limits = options.limits;
@@ -135,6 +136,11 @@ Expected<std::vector<Stroke>, Error> ordered(const CoverageArea& area, std::vect
                                              const StrokeOrderOptions& options) {
   const std::vector<Stop> stops = stops_of(strokes, options);
   if (stops.size() < 2) return strokes;
+  if (stops.size() > kMostStops) {
+    return failure(Status::memory_limit,
+                   "the order of " + std::to_string(strokes.size()) +
+                       " strokes takes too much memory: cover parts of the map (area), one after the other");
+  }
   const CostMatrix costs = StopCosts(area, stops, options.turn_cost).matrix();
   const auto tour = plan_tour(costs, tour_options(stops, options));
   if (!tour) return Unexpected<Error>(tour.error());

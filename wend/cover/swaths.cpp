@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/trigonometry.hpp"
 
@@ -9,7 +10,7 @@ namespace wend {
 namespace {
 
 constexpr int kAngles = 12;
-constexpr std::size_t kMostToCompare = 3000;  // cells of a part, for comparing angles
+constexpr std::size_t kMostToCompare = 60'000;  // cells of a part, for comparing angles
 
 /// The axes of swaths: `along` them, and `across`.
 class Axes {
@@ -184,15 +185,16 @@ double cost_of(const std::vector<Stroke>& strokes, double missed, const Coverage
   return cost;
 }
 
-/// A sample of a part's cells: every cell of every so many columns and rows.
+/// A sample of a part's cells, at random: rows and columns of it would favour some angles.
 std::vector<Cell> sample_of(std::span<const Cell> part) {
-  int every = 1;
-  while (part.size() / static_cast<std::size_t>(every * every) > kMostToCompare) ++every;
+  if (part.size() <= kMostToCompare) return {part.begin(), part.end()};
+  const double share = static_cast<double>(kMostToCompare) / static_cast<double>(part.size());
+  Random random(1);
   std::vector<Cell> sample;
   for (const Cell cell : part) {
-    if (cell.x % every == 0 && cell.y % every == 0) sample.push_back(cell);
+    if (random.chance(share)) sample.push_back(cell);
   }
-  return sample.empty() ? std::vector<Cell>(part.begin(), part.end()) : sample;
+  return sample;
 }
 
 double cheapest_angle(const CoverageArea& area, std::span<const Cell> part, const SwathOptions& options) {
