@@ -20,6 +20,7 @@
 #include "wend/analysis/widest_path.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/base/thread_time.hpp"
+#include "wend/cover/plan_coverage.hpp"
 #include "wend/explore/explorer.hpp"
 #include "wend/explore/visible_cells.hpp"
 #include "wend/generate/generators.hpp"
@@ -603,6 +604,17 @@ const std::vector<Door>& doors_of_robots_and_maps() {
          };
          return answered(with_arrows(map, values, arrow)) +
                 answered(with_heights(map, values, slope));
+       }},
+      {"plan_coverage",
+       [](Random& random, const FreeSpace& space) {
+         CoverageOptions options{.tool_width = 4};
+         options.angle = options.turn_cost = 1.0;
+         options.start = options.end = Point{1.5, 1.5};
+         spoil<8>(random, {&options.tool_width, &options.overlap, &*options.angle,
+                           &*options.turn_cost, &options.share, &options.start->x,
+                           &options.start->y, &options.end->y});
+         const auto coverage = plan_coverage(space, options);
+         return std::string(!coverage && coverage.error().message.empty() ? "no reason" : "");
        }},
       {"Explorer", [](Random& random, const FreeSpace& space) {
          const bool range = random.chance(0.5);

@@ -262,6 +262,15 @@ static void check_solutions(wend_session* session, const wend_request* request) 
   wend_plan_free(plan);
 }
 
+static void check_coverage(wend_session* session) {
+  wend_coverage_options options;
+  wend_coverage* coverage = NULL;
+  CHECK(wend_coverage_options_init(&options, sizeof options) == WEND_OK);
+  options.tool_width = 1000;
+  CHECK(wend_session_cover(session, &options, &coverage, NULL) != WEND_OK && coverage == NULL);
+  wend_coverage_free(coverage);
+}
+
 static void check_field(wend_session* session, const wend_request* request) {
   wend_field* field = NULL;
   wend_plan* plan = NULL;
@@ -308,6 +317,7 @@ static void check_session(void) {
   check_solutions(session, &request);
   check_cancel(session, &request);
   check_field(session, &request);
+  check_coverage(session);
   wend_session_free(session);
 }
 

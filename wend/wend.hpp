@@ -9,6 +9,7 @@
 #include "wend/control/follower.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/control/trajectory_tracker.hpp"
+#include "wend/cover/plan_coverage.hpp"
 #include "wend/explore/explorer.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/geometry/compass.hpp"

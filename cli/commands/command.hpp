@@ -27,6 +27,7 @@ Command add_generate(Parser& app);
 Command add_generate_scenario(Parser& generate);
 
 Command add_compare(Parser& app);
+Command add_cover(Parser& app);
 Command add_explore(Parser& app);
 Command add_explain(Parser& app);
 Command add_view(Parser& app);

@@ -23,6 +23,7 @@ PAGES = [
     ("map", "Maps", ["Map"]),
     ("space", "Planning", ["FreeSpace", "rectangle", "Explanation", "Way", "DriveExplanation"]),
     ("plan", "Plans, smoothing, following", ["Plan", "Leg", "LeadOut", "Quality", "Trajectory", "follow", "Drive"]),
+    ("cover", "Coverage", ["Coverage"]),
     ("explore", "Robots that discover their map", ["explore", "Exploration"]),
     ("trace", "Traces of searches", ["Trace", "Event", "Animation"]),
     ("indexes", "Indexes", ["Index"]),
