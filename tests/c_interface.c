@@ -70,6 +70,16 @@ static void check_costs(void) {
   wend_map_free(changed);
   CHECK(wend_map_with_costs(grid, cost_of, &factor, &changed, NULL) == WEND_OK && changed != NULL);
   wend_map_free(changed);
+  CHECK(wend_map_with_arrows(grid, terrain, 4, 1, INFINITY, &changed, NULL) == WEND_OK);
+  CHECK(changed != NULL);
+  wend_map_free(changed);
+  CHECK(wend_map_with_arrows(grid, terrain, 3, 1, 2, &changed, NULL) == WEND_INVALID_ARGUMENT);
+  CHECK(wend_map_with_arrows(grid, terrain, 4, -1, 2, &changed, NULL) == WEND_INVALID_OPTION);
+  CHECK(wend_map_with_heights(grid, terrain, 4, 2, 1, &changed, NULL) == WEND_OK);
+  CHECK(changed != NULL);
+  wend_map_free(changed);
+  CHECK(wend_map_with_heights(grid, NULL, 4, 2, 1, &changed, NULL) == WEND_INVALID_ARGUMENT);
+  CHECK(wend_mask_load("oneway:there is no such file.png", &changed, NULL) == WEND_INVALID_FILE);
   CHECK(wend_mask_load("speed:there is no such file.yaml", &changed, NULL) == WEND_INVALID_FILE);
   CHECK(changed == NULL);
   wend_map_free(costmap);
@@ -193,6 +203,31 @@ static void check_ends(wend_session* session, const wend_request* request) {
   CHECK(wend_session_plan(session, &eased, &plan, NULL) == WEND_GOAL_OUTSIDE);
 }
 
+static void check_vias(wend_session* session, const wend_request* request) {
+  wend_plan* plan = NULL;
+  wend_leg leg;
+  wend_error error;
+  wend_request loop = *request;
+  const wend_pose vias[2] = {{0.25, 0.75, NAN}, {0.75, 1.25, NAN}};
+  CHECK(wend_session_plan_through(session, request, vias, 2, 0, &plan, &error) == WEND_OK);
+  CHECK(wend_plan_leg_count(plan) == 3);
+  CHECK(wend_plan_leg_at(plan, 1, &leg) == WEND_OK && leg.cost > 1 && leg.bound == 1);
+  CHECK(strcmp(leg.from, "via 1") == 0 && strcmp(leg.to, "via 2") == 0);
+  CHECK(wend_plan_poses(plan)[leg.first_pose].y == 0.75 && leg.shift == 0);
+  CHECK(wend_plan_leg_at(plan, 2, &leg) == WEND_OK);
+  CHECK(leg.last_pose + 1 == wend_plan_pose_count(plan));
+  CHECK(wend_plan_leg_at(plan, 3, &leg) == WEND_INVALID_ARGUMENT);
+  wend_plan_free(plan);
+  CHECK(wend_session_plan_through(session, request, vias, 2, 1, &plan, &error) ==
+        WEND_INVALID_ARGUMENT);
+  loop.goal_count = 0;
+  CHECK(wend_session_plan_through(session, &loop, vias, 2, 1, &plan, &error) == WEND_OK);
+  CHECK(wend_plan_poses(plan)[wend_plan_pose_count(plan) - 1].x == wend_plan_poses(plan)[0].x);
+  wend_plan_free(plan);
+  CHECK(wend_session_plan_through(session, &loop, NULL, 2, 1, &plan, &error) ==
+        WEND_INVALID_ARGUMENT);
+}
+
 static int32_t take_solution(const wend_plan* plan, void* context) {
   double* last = (double*)context;
   CHECK(wend_plan_cost(plan) <= *last && wend_plan_bound(plan) >= 1);
@@ -225,6 +260,15 @@ static void check_solutions(wend_session* session, const wend_request* request) 
   CHECK(wend_session_plan(session, &anytime, &plan, NULL) == WEND_OK);
   CHECK(wend_plan_cost(plan) == 6 && last == 6 && wend_plan_bound(plan) == 1);
   wend_plan_free(plan);
+}
+
+static void check_coverage(wend_session* session) {
+  wend_coverage_options options;
+  wend_coverage* coverage = NULL;
+  CHECK(wend_coverage_options_init(&options, sizeof options) == WEND_OK);
+  options.tool_width = 1000;
+  CHECK(wend_session_cover(session, &options, &coverage, NULL) != WEND_OK && coverage == NULL);
+  wend_coverage_free(coverage);
 }
 
 static void check_field(wend_session* session, const wend_request* request) {
@@ -269,9 +313,11 @@ static void check_session(void) {
   check_poses(session);
   check_plan(session, &request);
   check_ends(session, &request);
+  check_vias(session, &request);
   check_solutions(session, &request);
   check_cancel(session, &request);
   check_field(session, &request);
+  check_coverage(session);
   wend_session_free(session);
 }
 

@@ -29,6 +29,7 @@ namespace wend {
 struct EasedEnds {
   Pose start;
   std::vector<Goal> goals;
+  std::uint64_t expanded = 0;  // between them
 };
 
 /// One planner on one query. Without a path, the values that describe it are meaningless.
@@ -43,7 +44,7 @@ struct ComparisonRow {
   bool counts_first_query = false;  // `metrics`: later queries find their answer kept
   SearchMetrics metrics{};
   QueryTimes times{};
-  EasedEnds eased{};                 // the query without what the robot could not do
+  std::vector<EasedEnds> eased{};    // the query without what the robot could not do, leg by leg
   Path lead{};                       // the way out before what the planner was asked for
   std::vector<std::string> notes{};  // a sentence for each end that was moved or led out
   std::optional<double> remaining =
@@ -55,8 +56,10 @@ struct ComparisonRow {
 /// What was asked, in grid coordinates.
 struct ComparedQuery {
   Pose start;
-  std::vector<Goal> goals;          // one or more
+  std::vector<Goal> goals;          // one or more; of a closed path, the start
   std::vector<ComparisonRow> rows;  // one a planner, in the same order in every query
+  std::vector<Goal> vias = {};      // on the way, in order
+  bool closed = false;              // leads back to the start
 };
 
 struct Comparison {
@@ -81,6 +84,7 @@ std::string comparison_table(const Comparison& comparison, std::size_t width = 8
 /// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
 /// ...}]}; clearances and the turning radius have "p1" instead of "p99". A failure has a "reason".
 /// Its unknown values are null, as are infinite values.
+/// A query through vias has "vias", in order, and "closed" if it leads back to its start.
 /// `cost_ratio` is to the cheapest cost that any planner found. A query with several goals has "goals", a
 /// list, instead of "goal"; where the ends were eased (Leeway), a planner has "notes", and "remaining_cells" and
 /// "remaining_m"; one with tolerances has "goal_tolerance_cells". Start and goal are cells [x,y];

@@ -55,6 +55,8 @@ Json query_json(const Comparison& comparison, const ComparedQuery& query) {
     json["goals"] = Json::array();
     for (const Goal& goal : query.goals) json["goals"].push_back(json_of_end(comparison, goal));
   }
+  for (const Goal& via : query.vias) json["vias"].push_back(json_of_end(comparison, via));
+  if (query.closed) json["closed"] = true;
   const double tolerance = query.goals.front().tolerance;
   if (tolerance > 0) json["goal_tolerance_cells"] = tolerance;
   json["planners"] = std::move(rows);

@@ -46,6 +46,55 @@ TEST(RandomPairs, AreConnectedDifferentAndFree) {
   EXPECT_GT(maps_with_pairs, 100);
 }
 
+/// Through vias, an answer is the sum of those to the pairs, and so is its record; a closed one ends where it begins.
+TEST(ComparisonRun, SumsTheLegsOfAQueryThroughVias) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const FreeSpace space =
+        *make_free_space(*make_grid_map(test::random_states(random, 20, random.between(10, 30))));
+    const auto pairs = random_pairs(space, 2, seed);
+    if (pairs.size() < 2) continue;
+    const std::array cells{pairs[0].start, pairs[0].goal, pairs[1].start};
+    const bool closed = random.chance(0.5);
+    ComparisonRun apart = run_of(space, "astar");
+    apart.answer(Query::between(cells[0], cells[1]));
+    apart.answer(Query::between(cells[1], cells[2]));
+    apart.answer(Query::between(cells[2], closed ? cells[0] : cells[1]));
+    ComparisonRun together = run_of(space, "astar,jps");
+    const std::vector<Goal> vias{Goal(centre_of(cells[1])), Goal(centre_of(cells[2]))};
+    together.answer(Query::between(cells[0], cells[1]), vias, closed);
+    const ComparedQuery& query = together.comparison().queries.front();
+    double cost = 0;
+    std::uint64_t expanded = 0;
+    bool all = true;
+    for (const ComparedQuery& leg : apart.comparison().queries) {
+      cost += leg.rows.front().cost;
+      expanded += leg.rows.front().expanded;
+      all = all && leg.rows.front().found();
+    }
+    for (const ComparisonRow& row : query.rows) {
+      ASSERT_EQ(row.found(), all) << row.reason;
+      if (!all) {
+        EXPECT_THAT(row.reason, testing::StartsWith("leg "));
+      }
+    }
+    if (!all) continue;
+    ++found;
+    EXPECT_EQ(query.rows[0].expanded, expanded);
+    EXPECT_EQ(together.record(0, 0).expansions().size(), expanded);
+    for (std::size_t planner = 0; planner < 2; ++planner) {
+      EXPECT_NEAR(query.rows[planner].cost, cost, 1e-9);
+      const Path path = together.path(planner, 0);
+      EXPECT_EQ(path.cells().front(), cells[0]);
+      EXPECT_EQ(path.cells().back(), closed ? cells[0] : cells[1]);
+      EXPECT_EQ(path.size() - 1, query.rows[planner].steps);
+    }
+  }
+  EXPECT_GT(found, 5);
+}
+
 /// A planner that keeps what it prepared goes another way when it is asked again: its path is there all the same.
 TEST(ComparisonRun, HasThePathOfEveryQueryThatWasAnswered) {
   int found = 0;

@@ -31,6 +31,7 @@
 #include "cli/watching/watching.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/legs.hpp"
 
 namespace wend::cli {
 namespace {
@@ -57,6 +58,7 @@ constexpr const char* kCompareExamples = R"(Examples:
   wend compare office.yaml --start 1,1 --goal 15,9 -o compare.png
   wend compare office.yaml --start 1,1 --goal 15,9 -o compare.gif
   wend compare grid.txt --start 0,0 --goal 9,9 --planner astar:w=2,bfs
+  wend compare office.yaml --start 1,1 --via 8,2 --goal 15,9 --planner astar,jps
   wend compare office.yaml --random 200 --planner astar,bfs --plot plots.png
   wend compare grid.txt --start 0,0,E --goal 9,9 --planner car,car:w=2
 
@@ -73,7 +75,8 @@ constexpr std::array<std::string_view, 9> kTeachers{
 constexpr std::size_t kMostByDefault = 6;
 
 bool refuses(const PlannerInfo& info, const FreeSpace& space) {
-  return !space.uniform_terrain() && terrain_in_words(info) == "refused";
+  const bool refuses_directions = space.directions() != nullptr && !info.capabilities.directions;
+  return refuses_directions || (!space.uniform_terrain() && terrain_in_words(info) == "refused");
 }
 
 /// All planners that need headings as the typed start and the robot do, or six of those on cells.
@@ -110,11 +113,13 @@ PlaceGrid common_places(const std::vector<PlannerSpec>& planners, const FreeSpac
 
 void check(const CompareArguments& arguments) {
   const EndArguments& ends = arguments.ends;
-  const bool pair = !ends.start.empty() || !ends.goals.empty();
+  check_vias(ends);
+  const bool pair = !ends.start.empty() || !ends.goals.empty() || !ends.vias.empty();
   if (pair && arguments.random > 0) {
-    throw InputError("--random chooses the starts and goals: leave out --start and --goal");
+    throw InputError("--random chooses the starts and goals: leave out --start, --goal and --via");
   }
-  if (arguments.random == 0 && (ends.start.empty() || ends.goals.empty())) {
+  const bool ended = !ends.goals.empty() || ends.closed;
+  if (arguments.random == 0 && (ends.start.empty() || !ended)) {
     throw InputError("give one query with --start X,Y --goal X,Y, or many queries with --random N");
   }
   if (arguments.random > kMostQueries) {
@@ -132,10 +137,30 @@ void check(const CompareArguments& arguments) {
 }
 
 /// What was asked as one of the planners understands it.
+PlanRequest request_for(const PlannerSpec& planner, const CompareArguments& arguments,
+                        const FreeSpace& space) {
+  const Coordinates coordinates = arguments.map.coordinates(space.map());
+  return typed_request(planner, space, coordinates, arguments.ends);
+}
+
 Query query_for(const PlannerSpec& planner, const CompareArguments& arguments,
                 const FreeSpace& space) {
-  const Coordinates coordinates = arguments.map.coordinates(space.map());
-  return query_of(typed_request(planner, space, coordinates, arguments.ends), space.map().frame());
+  return query_of(request_for(planner, arguments, space), space.map().frame());
+}
+
+std::vector<Goal> vias_for(const PlannerSpec& planner, const CompareArguments& arguments,
+                           const FreeSpace& space) {
+  if (arguments.ends.vias.empty()) return {};
+  const PlanRequest request = request_for(planner, arguments, space);
+  return goals_in_grid(request.vias, request.coordinates, space.map().frame());
+}
+
+/// The map, and what was asked on it.
+Scene scene_for(const PlannerSpec& planner, const CompareArguments& arguments,
+                const FreeSpace& space) {
+  Scene scene = query_scene(planner, space, query_for(planner, arguments, space));
+  scene.vias = places_of_goals(vias_for(planner, arguments, space));
+  return scene;
 }
 
 std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
@@ -161,12 +186,14 @@ std::vector<Query> queries_of(const ComparisonRun& run, const CompareArguments& 
   return {query_for(run.planners().front(), arguments, space)};
 }
 
-void answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArguments& limits) {
+void answer_all(ComparisonRun& run, std::vector<Query> queries, const std::vector<Goal>& vias,
+                const CompareArguments& arguments) {
+  const LimitArguments& limits = arguments.limits;
   ProgressBar progress("comparing", queries.size());
   ProgressBar within_a_query("", 0);
   for (std::size_t i = 0; i < queries.size(); ++i) {
     queries[i].limits = limits.limits(within_a_query);
-    run.answer(std::move(queries[i]));
+    run.answer(std::move(queries[i]), vias, arguments.ends.closed);
     progress.update(i + 1);
   }
 }
@@ -176,12 +203,16 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
   const Coordinates coordinates = arguments.map.coordinates(space.map());
   const Limits limits = arguments.limits.limits();
   for (ComparedQuery& query : run.comparison().queries) {
-    Ends ends{coordinates.place("start", cell_at(query.start.point())), {}};
-    for (const Goal& goal : query.goals) {
-      ends.goals.push_back(coordinates.place("goal", cell_at(goal.point)));
-    }
+    const std::vector<PlanLeg> legs = named_legs(query.vias.size(), query.closed);
     for (std::size_t i = 0; i < query.rows.size(); ++i) {
       ComparisonRow& row = query.rows[i];
+      if (row.found() || row.eased.empty()) continue;
+      const bool alone = legs.size() == 1;
+      const EasedEnds asked = alone ? EasedEnds{query.start, query.goals} : row.eased.back();
+      Ends ends{coordinates.place("start", cell_at(asked.start.point())), {}};
+      for (const Goal& goal : asked.goals) {
+        ends.goals.push_back(coordinates.place("goal", cell_at(goal.point)));
+      }
       const SearchMetrics& metrics = row.metrics;
       Explainer explainer = explainer_for(space, coordinates, run.grid_moves(i));
       explainer.allow(arguments.request.leeway(coordinates));
@@ -190,7 +221,10 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
       } else if (!row.failure.causes.empty()) {
         row.reason = row.failure.headings ? explainer.words(row.failure, metrics)
                                           : explainer.explain(row.failure, ends, metrics);
+      } else {
+        continue;
       }
+      if (!alone) row.reason.insert(0, leg_words(legs, row.eased.size() - 1));
     }
   }
 }
@@ -209,7 +243,7 @@ std::vector<Panel> panels_of(const ComparisonRun& run, const CompareArguments& a
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     const SearchSnapshot snapshot = run.record(i, 0).snapshot();
     const PlannerSpec& planner = run.planners()[i];
-    Scene scene = query_scene(planner, space, query_for(planner, arguments, space));
+    Scene scene = scene_for(planner, arguments, space);
     scene.path = run.path(i, 0);
     scene.marked = {{CellRole::expanded, snapshot.expanded},
                     {CellRole::frontier, snapshot.frontier}};
@@ -229,7 +263,7 @@ Expected<std::string, Error> film_of(const ComparisonRun& run, const CompareArgu
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     recorders.push_back(run.record(i, 0));
     const PlannerSpec& planner = run.planners()[i];
-    Scene outcome = query_scene(planner, space, query_for(planner, arguments, space));
+    Scene outcome = scene_for(planner, arguments, space);
     outcome.path = run.path(i, 0);
     searches.push_back({query.rows[i].planner, std::move(outcome), &recorders.back()});
   }
@@ -294,7 +328,8 @@ int run(const CompareArguments& arguments) {
   if (!made) throw InputError(made.error().message);
   ComparisonRun& run = *made;
   run.allow(arguments.request.leeway(arguments.map.coordinates(loaded.map)));
-  answer_all(run, queries_of(run, arguments, space), arguments.limits);
+  answer_all(run, queries_of(run, arguments, space),
+             vias_for(run.planners().front(), arguments, space), arguments);
   give_reasons(run, arguments, space);
   print(text_of(run.comparison(), arguments.format));
   write_files(arguments, run, space);
@@ -315,6 +350,7 @@ Command add_compare(Parser& app) {
             "Goal, as in `wend plan`; if given several times, the goal with the lowest path cost")
       .type_name("X,Y[,HEADING]");
   add_goal_tolerance(compare, arguments->ends.tolerance);
+  add_vias(compare, arguments->ends);
   arguments->request.add_to(compare, {"nearest", "nearest_limit", "escape", "closest"});
   compare
       .add_option(

@@ -272,6 +272,7 @@ void bind_space(nb::module_& module) {
   bind_drives(space);
   bind_edits(space);
   bind_exploration(space);
+  bind_coverage(space);
   space
       .def("cost_to_go", &cost_to_go, nb::arg("goals"), nb::arg("connectivity"),
            nb::arg("corner_rule"))

@@ -11,6 +11,7 @@ The common interface: ``wend.search(world_state, robot_pose, goal_pose, planner)
 
 from ._animation import Animation
 from ._core import version as __version__
+from ._cover import Coverage
 from ._errors import Error, InvalidArgument, Metrics, NoPath
 from ._explore import Exploration, explore
 from ._footprint import rectangle
@@ -26,6 +27,7 @@ __all__ = [
     "Animation",
     "Comparison",
     "ControllerInfo",
+    "Coverage",
     "Drive",
     "Error",
     "Event",

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Pose, checked_threads, goals_of, numbers_of, text_of
+from ._cover import Coverage
 from ._errors import Error, InvalidArgument, NoPath
 from ._map import Map
 from ._plan import Plan
@@ -394,6 +395,52 @@ class FreeSpace:
         (False, True)
         """
         return DriveExplanation(*self._inner.explain_drive(start, goal, text_of(options)))
+
+    @named_types
+    def cover(
+        self,
+        tool_width: float,
+        *,
+        overlap: float = 0,
+        angle: float | None = None,
+        turn_cost: float | None = None,
+        share: float = 0.999,
+        start: Pose | None = None,
+        end: Pose | None = None,
+        area: npt.ArrayLike | None = None,
+        covered: npt.ArrayLike | None = None,
+        seed: int = 1,
+        time_limit: float | None = None,
+    ) -> Coverage:
+        """A path on which a tool in the middle of the robot passes over every place that it can reach. A cell is covered
+        if its centre is at most half the tool's width from the path. Ctrl-C stops it.
+
+        :param tool_width: in metres, from 2 to 500 cells.
+        :param overlap: of neighbouring swaths, in metres.
+        :param angle: of the swaths, in radians from +x; None: each room its cheapest one.
+        :param turn_cost: what turning around costs, as a length in metres; None: the tool's width.
+        :param share: of what the tool can reach; so much is covered.
+        :param start: where the path begins; None: anywhere in the largest component.
+        :param end: where it ends; None: anywhere.
+        :param area: the cells to cover, True or 1: shape (height, width); None: all.
+        :param covered: the cells that are covered already, likewise.
+        :param time_limit: seconds of the whole call.
+        :raises ValueError: an argument has a wrong value, or an end is outside of the map.
+        :raises wend.Error: an end is blocked, or there was no time.
+
+        >>> import numpy as np, wend
+        >>> space = wend.Map(np.zeros((20, 30))).free_space(1.5, outside="blocked")
+        >>> coverage = space.cover(tool_width=3)
+        >>> coverage.covered_share >= 0.999, bool(coverage.length < 1.3 * coverage.lower_bound)
+        (True, True)
+        """
+        areas = [None if cells is None else np.asarray(cells) for cells in (area, covered)]
+        result = self._inner.cover(
+            tool_width, overlap, angle, turn_cost, share, start, end, areas[0], areas[1], seed, time_limit
+        )
+        for name in ("wanted", "covered"):
+            result[name] = result[name].view(np.bool_)
+        return Coverage(**result)
 
     def fits(self, pose: Pose) -> bool:
         """May the robot stand at (x, y) or (x, y, heading)? Without a heading: at the heading 0.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wend/analysis/cost_to_go.hpp"
+#include "wend/cover/plan_coverage.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/map/obstacles.hpp"
 #include "wend/path/path_metrics.hpp"
@@ -93,10 +94,23 @@ struct wend_plan {
   double start_shift;           // metres
   double goal_shift;            // metres
   bool kept;
+  std::vector<wend::PlanLeg> legs;  // `first` and `last` are poses
   wend::FreeSpace space;
   wend::Path path;
   mutable std::once_flag measured;  // guards `measures`
   mutable wend::Expected<wend::PathMetrics, wend::Error> measures;
+};
+
+struct wend_coverage {
+  /// Takes what a caller can ask for.
+  wend_coverage(const wend::Coverage& coverage, const wend::Frame& frame);
+
+  std::vector<wend_pose> poses;
+  std::vector<std::uint8_t> cells;
+  double share;
+  double length;       // metres
+  double lower_bound;  // metres
+  std::size_t turns;
 };
 
 struct wend_field {

@@ -113,26 +113,15 @@ Done put_fields(const wend_request& given, double resolution, PlanRequest& asked
   return {};
 }
 
-/// The goals of a request; NaN is any heading.
-Expected<std::vector<MapGoal>, Failure> goals_of(const wend_request& request) {
+Expected<std::vector<MapGoal>, Failure> goals_of(const wend_request& request, bool closed) {
+  if (closed) {
+    if (request.goal_count == 0) return std::vector<MapGoal>{};
+    return refused("a closed path ends at its start: wend_request.goal_count must be 0");
+  }
   if (request.goals == nullptr || request.goal_count == 0) {
     return refused("wend_request has no goals");
   }
-  if (request.goal_count > kMostGoals) {
-    return refused("wend_request.goal_count is " + std::to_string(request.goal_count) +
-                   ": at most " + std::to_string(kMostGoals) + " expected");
-  }
-  std::vector<MapGoal> goals;
-  goals.reserve(request.goal_count);
-  for (std::size_t i = 0; i < request.goal_count; ++i) {
-    const auto& [x, y, heading] = request.goals[i];
-    if (!std::isfinite(x) || !std::isfinite(y) || std::isinf(heading)) {
-      return refused("wend_request.goals[" + std::to_string(i) + "] contains NaN or infinity");
-    }
-    MapGoal& goal = goals.emplace_back(MapPoint{x, y});
-    if (!std::isnan(heading)) goal.heading = heading;
-  }
-  return goals;
+  return places_of(request.goals, request.goal_count, "wend_request.goal");
 }
 
 Expected<PlannerSpec, Failure> planner_of(const wend_request& request) {
@@ -148,11 +137,31 @@ Expected<PlannerSpec, Failure> planner_of(const wend_request& request) {
 
 }  // namespace
 
-Expected<PlanRequest, Failure> request_of(const wend_request* given, double resolution) {
+Expected<std::vector<MapGoal>, Failure> places_of(const wend_pose* poses, std::size_t count,
+                                                  const std::string& name) {
+  if (count > kMostGoals) {
+    return refused(name + "_count is " + std::to_string(count) + ": at most " +
+                   std::to_string(kMostGoals) + " expected");
+  }
+  std::vector<MapGoal> places;
+  places.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [x, y, heading] = poses[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || std::isinf(heading)) {
+      return refused(name + "s[" + std::to_string(i) + "] contains NaN or infinity");
+    }
+    MapGoal& place = places.emplace_back(MapPoint{x, y});
+    if (!std::isnan(heading)) place.heading = heading;
+  }
+  return places;
+}
+
+Expected<PlanRequest, Failure> request_of(const wend_request* given, double resolution,
+                                          bool closed) {
   if (given == nullptr) return refused("request is null");
   const auto request = options_of("wend_request", given, request_defaults());
   if (!request) return Unexpected<Failure>(request.error());
-  auto goals = goals_of(*request);
+  auto goals = goals_of(*request, closed);
   if (!goals) return Unexpected<Failure>(std::move(goals.error()));
   auto planner = planner_of(*request);
   if (!planner) return Unexpected<Failure>(std::move(planner.error()));

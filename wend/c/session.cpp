@@ -79,9 +79,20 @@ Expected<Policies, Failure> policies_of(const wend_session_options& options) {
   return Policies{*unknown, *outside};
 }
 
-RequestResult plan_request_of(const wend_request* given, double resolution) {
-  auto asked = request_of(given, resolution);
+/// The places to pass on the way.
+struct Vias {
+  const wend_pose* poses = nullptr;
+  std::size_t count = 0;
+  bool closed = false;
+};
+
+RequestResult plan_request_of(const wend_request* given, double resolution, const Vias& vias) {
+  auto asked = request_of(given, resolution, vias.closed);
   if (!asked) return asked;
+  auto places = places_of(vias.poses, vias.count, "via");
+  if (!places) return Unexpected<Failure>(std::move(places.error()));
+  asked->vias = *std::move(places);
+  asked->closed = vias.closed;
   if (!is_finite(given->start)) return refused("wend_request.start contains NaN or infinity");
   asked->start = map_pose(given->start);
   return asked;
@@ -109,10 +120,10 @@ void tell_solutions(const wend_request& request, const FreeSpace& space, std::at
 
 Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
                                                         const wend_request* request,
-                                                        PlanOnView plan_on) {
+                                                        const Vias& vias, PlanOnView plan_on) {
   const auto view = handle.session.view();
   if (!view) return failed(view.error());
-  auto asked = plan_request_of(request, view->space.map().frame().resolution);
+  auto asked = plan_request_of(request, view->space.map().frame().resolution, vias);
   if (!asked) return Unexpected<Failure>(asked.error());
   std::atomic<bool> enough = false;
   if (request->on_solution != nullptr) tell_solutions(*request, view->space, enough, *asked);
@@ -123,10 +134,11 @@ Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
 }
 
 wend_status plan_by(wend_session* session, const wend_request* request, wend_plan** plan,
-                    wend_error* error, PlanOnView plan_on) {
+                    wend_error* error, const Vias& vias, PlanOnView plan_on) {
   return made("plan", plan, error, [&]() -> Expected<std::unique_ptr<wend_plan>, Failure> {
     if (session == nullptr) return refused("session is null");
-    return or_without_planners(*session, [&] { return make_plan(*session, request, plan_on); });
+    return or_without_planners(*session,
+                               [&] { return make_plan(*session, request, vias, plan_on); });
   });
 }
 
@@ -256,12 +268,24 @@ void wend_cancel_free(wend_cancel* cancel) { delete cancel; }
 
 wend_status wend_session_plan(wend_session* session, const wend_request* request, wend_plan** plan,
                               wend_error* error) {
-  return plan_by(session, request, plan, error, &wend::Session::plan);
+  return plan_by(session, request, plan, error, {}, &wend::Session::plan);
+}
+
+wend_status wend_session_plan_through(wend_session* session, const wend_request* request,
+                                      const wend_pose* vias, size_t via_count, int32_t closed,
+                                      wend_plan** plan, wend_error* error) {
+  if (vias == nullptr && via_count > 0) {
+    return made("plan", plan, error, []() -> wend::Expected<std::unique_ptr<wend_plan>, Failure> {
+      return refused("vias is null");
+    });
+  }
+  return plan_by(session, request, plan, error, {vias, via_count, closed != 0},
+                 &wend::Session::plan);
 }
 
 wend_status wend_session_replan(wend_session* session, const wend_request* request,
                                 wend_plan** plan, wend_error* error) {
-  return plan_by(session, request, plan, error, &wend::Session::replan);
+  return plan_by(session, request, plan, error, {}, &wend::Session::replan);
 }
 
 wend_status wend_session_field(wend_session* session, const wend_request* request,

@@ -73,6 +73,12 @@ struct Separated {
   std::size_t goal;  // which
 };
 
+/// Every way to this goal leads against an arrow (DirectionMap), though not through an obstacle.
+struct AgainstArrow {
+  std::size_t goal;  // which
+  Cell cell;         // of the arrow, on a way with as few steps against arrows as there can be
+};
+
 /// No motion primitive leaves the start, or reaches a goal.
 struct NoMotion {
   EndIndex end;  // which
@@ -130,8 +136,9 @@ struct OwnText {
 };
 
 /// One thing that is so.
-using FailureCause = std::variant<EndOutside, EndBlocked, RobotTooLarge, Separated, NoMotion,
-                                  NoDriveFound, OwnLimit, Stopped, InvalidQuery, OwnText>;
+using FailureCause =
+    std::variant<EndOutside, EndBlocked, RobotTooLarge, Separated, NoMotion, NoDriveFound, OwnLimit,
+                 Stopped, InvalidQuery, OwnText, AgainstArrow>;
 
 struct Failure {
   Status status = Status::found;     // of the query

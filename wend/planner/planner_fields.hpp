@@ -27,6 +27,7 @@ void visit_fields(const PlannerInfo& planner, Visit&& visit) {
   visit("mover", planner.mover);
   visit("terrain", can.terrain);
   visit("on_terrain", terrain_in_words(planner));
+  visit("directions", can.directions);
   visit("any_angle", can.any_angle);
   visit("headings", can.headings);
   visit("on_vertices", can.vertices != Vertices::centres);

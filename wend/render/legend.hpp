@@ -19,6 +19,7 @@ enum class Swatch : unsigned char {
   heat,
   start,
   goal,
+  via,
   narrowest,
   nearest_free,
   collision,

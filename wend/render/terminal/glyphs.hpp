@@ -19,6 +19,7 @@ namespace wend {
 enum class Meaning : unsigned char {
   start,
   goal,
+  via,
   path,
   pose,     // a car's
   ahead,    // driven
@@ -50,7 +51,7 @@ enum class Meaning : unsigned char {
   axis,
   blank,
 };
-inline constexpr std::size_t kMeanings = 31;
+inline constexpr std::size_t kMeanings = 32;
 
 struct Glyph {
   std::string_view text;  // one column wide, UTF-8

@@ -1,0 +1,89 @@
+#include "wend/cover/joined_strokes.hpp"
+
+#include <memory>
+#include <string>
+
+#include "wend/path/smoothing/simplification.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend {
+namespace {
+
+/// Adds ways and strokes to a path.
+class Joiner {
+ public:
+  Joiner(const CoverageArea& area, std::unique_ptr<Planner> planner, const Deadline& deadline)
+      : area_(area), planner_(std::move(planner)), deadline_(deadline) {}
+
+  Expected<void, Error> go_to(Point place) {
+    if (path_.empty()) {
+      path_.push_back(place);
+      return {};
+    }
+    const Point from = path_.back();
+    if (from == place) return {};
+    if (!area_.free_along(from, place)) {
+      if (auto added = add_way(from, place); !added) return added;
+    }
+    if (path_.back() != place) path_.push_back(place);
+    return {};
+  }
+
+  Expected<void, Error> drive(const Stroke& stroke) {
+    if (auto there = go_to(stroke.front()); !there) return there;
+    path_.insert(path_.end(), stroke.begin() + 1, stroke.end());
+    return {};
+  }
+
+  Stroke take() { return std::move(path_); }
+
+ private:
+  Expected<void, Error> add_way(Point from, Point to) {
+    Query query{{from.x, from.y, 0}, {Goal(to)}};
+    query.limits = deadline_.left();
+    const Status status = planner_->plan(query, plan_);
+    if (status != Status::found) {
+      return failure(status, "no way between two strokes of a coverage: " +
+                                 std::string(describe(status)));
+    }
+    Path way = plan_.path;
+    if (!way.cells().empty()) {
+      const auto taut = string_pulled(way, area_.space(), Adjacency::edges, deadline_);
+      if (!taut) return Unexpected<Error>(taut.error());
+      way = *taut;
+    }
+    for (const Point point : way.points()) {
+      if (path_.back() != point) path_.push_back(point);
+    }
+    return {};
+  }
+
+  const CoverageArea& area_;
+  std::unique_ptr<Planner> planner_;
+  const Deadline& deadline_;
+  Plan plan_;
+  Stroke path_;
+};
+
+}  // namespace
+
+Expected<Stroke, Error> joined(const CoverageArea& area, std::span<const Stroke> strokes,
+                               std::optional<Point> start, std::optional<Point> end,
+                               const Deadline& deadline) {
+  const bool uniform = area.space().uniform_terrain();
+  auto planner = make_planner(uniform ? "any_angle" : "astar", area.space());
+  if (!planner) return Unexpected<Error>(planner.error());
+  Joiner joiner(area, std::move(*planner), deadline);
+  if (start) {
+    if (const auto there = joiner.go_to(*start); !there) return Unexpected<Error>(there.error());
+  }
+  for (const Stroke& stroke : strokes) {
+    if (const auto there = joiner.drive(stroke); !there) return Unexpected<Error>(there.error());
+  }
+  if (end) {
+    if (const auto there = joiner.go_to(*end); !there) return Unexpected<Error>(there.error());
+  }
+  return joiner.take();
+}
+
+}  // namespace wend
