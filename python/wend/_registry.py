@@ -65,6 +65,8 @@ class PlannerInfo(NamedTuple):
     """Does ``Search`` step through it?"""
     resumes: bool
     """May a search go on from the last one?"""
+    directions: bool
+    """Does it take ways with a direction into account?"""
 
 
 class SmootherInfo(NamedTuple):
