@@ -17,7 +17,7 @@ from ._explore import Exploration, explore
 from ._footprint import rectangle
 from ._index import Index
 from ._map import Map
-from ._plan import Drive, LeadOut, Plan, Quality, Trajectory, follow
+from ._plan import Drive, LeadOut, Leg, Plan, Quality, Trajectory, follow
 from ._registry import ControllerInfo, OptionInfo, PlannerInfo, SmootherInfo, controllers, planners, smoothers
 from ._search import Comparison, PlannerBase, compare, search
 from ._space import DriveExplanation, Explanation, FreeSpace, Way
@@ -38,6 +38,7 @@ __all__ = [
     "Index",
     "InvalidArgument",
     "LeadOut",
+    "Leg",
     "Map",
     "Metrics",
     "NoPath",

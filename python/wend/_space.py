@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Pose, checked_threads, goals_of, numbers_of, text_of
+from ._arrays import Pose, checked_threads, goals_of, numbers_of, places_of, text_of
 from ._cover import Coverage
 from ._errors import Error, InvalidArgument, NoPath
 from ._map import Map
@@ -121,9 +121,11 @@ class FreeSpace:
     def plan(
         self,
         start: Pose,
-        goal: Pose | Iterable[Pose],
+        goal: Pose | Iterable[Pose] | None = None,
         planner: str = "astar",
         *,
+        via: Pose | Iterable[Pose] = (),
+        closed: bool = False,
         time_limit: float | None = None,
         expansions: int | None = None,
         nearest: bool = False,
@@ -139,6 +141,10 @@ class FreeSpace:
         :param start: (x, y) or (x, y, heading); planners on cells ignore the heading.
         :param goal: the same, or a list of goals, of which the cheapest is found. Without a heading, any will do.
         :param planner: a name from ``wend.planners()``; `options` are its options.
+        :param via: places to pass on the way, in this order, as (x, y) or (x, y, heading). Each leg is planned from
+            where, and with the heading in which, the one before ended; limits are of all legs together. See
+            ``Plan.legs``.
+        :param closed: the path ends where it begins; then there is no `goal`.
         :param time_limit: seconds.
         :param expansions: the most states to expand.
         :param nearest: if an end is blocked, or no path reaches the goal, plan from or to the nearest free cell;
@@ -165,9 +171,12 @@ class FreeSpace:
         wend.InvalidArgument: option 'connectivity': '5' is not one of 4, 8
         """
         fields = _fields_of(locals())
-        return Plan(
-            self._inner.plan(start, goals_of(goal), planner, text_of(options) if options else {}, fields, None, False)
-        )
+        texts = text_of(options) if options else {}
+        if closed and goal is not None:
+            raise InvalidArgument("a closed path ends at its start: it has no goal", "unsupported_query", "goal")
+        goals = [] if goal is None and closed else goals_of(() if goal is None else goal)
+        vias = places_of(via, "via")
+        return Plan(self._inner.plan(start, goals, planner, texts, fields, None, False, vias, closed))
 
     @named_types
     def replan(

@@ -81,7 +81,7 @@ TEST_F(Vias, NameTheLegThatFails) {
   const Outcome outcome = run("plan", {"--start", "1,1", "--via", "9,1", "--via", "9,5", "--goal",
                                        "1,3", "--format", "json", "-o", file("why.png")});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("leg 2 of 3, from via 1 to via 2: no path"));
+  EXPECT_THAT(outcome.err, HasSubstr("leg 2 of 3, from via 1 to via 2: there is no path"));
   const json plan = json::parse(outcome.out);
   ASSERT_EQ(plan["legs"].size(), 2U);
   EXPECT_EQ(plan["legs"][1]["status"], "unreachable");
