@@ -19,7 +19,7 @@ from ._map import Map
 from ._plan import Drive, LeadOut, Plan, Quality, Trajectory, follow
 from ._registry import ControllerInfo, OptionInfo, PlannerInfo, SmootherInfo, controllers, planners, smoothers
 from ._search import Comparison, PlannerBase, compare, search
-from ._space import DriveExplanation, Explanation, FreeSpace, Way
+from ._space import DriveExplanation, Explanation, FreeSpace, Tour, TourLeg, Way
 from ._trace import Event, Trace
 
 __all__ = [
@@ -45,6 +45,8 @@ __all__ = [
     "PlannerInfo",
     "Quality",
     "SmootherInfo",
+    "Tour",
+    "TourLeg",
     "Trace",
     "Trajectory",
     "Way",
