@@ -175,8 +175,8 @@ Command add_tour(Parser& app) {
   add_number(tour, "--kicks", arguments->kicks, {0, kMostKicks},
              "How often to try another order (default: 50 for each stop; with --limit-time until "
              "then). The same number gives the same order");
-  add_count(tour, "--seed", arguments->seed, "Seed of the search for an order (default 1)");
-  tour.further({"--kicks", "--seed"});
+  add_count(tour, "--order-seed", arguments->seed, "Seed of the search for an order (default 1)");
+  tour.further({"--kicks", "--order-seed"});
   add_format(tour, arguments->format);
   arguments->pictures.add_to(tour);
   arguments->output.add_to(tour, {".png", ".svg", ".pdf", ".csv", ".json"},
