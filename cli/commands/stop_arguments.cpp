@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 
 #include "cli/arguments/coordinates.hpp"
@@ -49,7 +50,6 @@ StopsOnMap::StopsOnMap(const StopArguments& arguments, const OutputFiles& output
   planner_ = parse_planner(name);
   const OptionValues flags = arguments.options.values_for(planner_.name);
   planner_.options.insert(planner_.options.end(), flags.begin(), flags.end());
-  const auto rows = value_or_throw(load_stop_csv(arguments.stops));
   const LoadedMap loaded =
       timed(thread_cpu_seconds, times_.load, [&] { return arguments.map.load_map(); });
   output.check_not_among(loaded.files);
@@ -62,11 +62,21 @@ StopsOnMap::StopsOnMap(const StopArguments& arguments, const OutputFiles& output
   view_ = value_or_throw(session_->view());
   coordinates_ = arguments.map.coordinates(loaded.map);
   value_or_throw(provide_index(*session_, planner_, index, times_, deadline_));
+  add_rows(arguments.stops);
+}
+
+void StopsOnMap::add_rows(const std::string& file) {
+  const auto rows = value_or_throw(load_stop_csv(file));
+  if (rows.empty()) throw InputError(file + ": there are no stops");
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    add_place(fmt::format("{}: stop {}", arguments.stops, row), rows[row]);
+    try {
+      add_place({}, rows[row]);
+    } catch (const InputError& error) {
+      const std::string_view wrong = error.what();  // "--: ..."
+      throw InputError(fmt::format("{}: stop {}{}", file, row, wrong.substr(wrong.find(':'))));
+    }
   }
   stops_of_file_ = stops_.size();
-  if (stops_.empty()) throw InputError(arguments.stops + ": there are no stops");
 }
 
 int StopsOnMap::add_place(const std::string& name, const std::string& typed) {
@@ -82,6 +92,7 @@ int StopsOnMap::add_place(const std::string& name, const std::string& typed) {
     pose = {point.x, point.y, 0};
   }
   stops_.push_back(frame().to_metres(pose));
+  names_.push_back(name);
   return static_cast<int>(stops_.size()) - 1;
 }
 

@@ -45,7 +45,7 @@ class StopsOnMap {
   /// Throws NoPathError for a stop where the robot cannot be, and if a limit was reached.
   StopCosts costs();
 
-  StopCostOptions options() const { return {planner_, deadline_.left(), &workers_}; }
+  StopCostOptions options() const { return {planner_, deadline_.left(), &workers_, names_}; }
   Session& session() { return *session_; }
   const Session::View& view() const { return *view_; }
   const PlannerSpec& planner() const { return planner_; }
@@ -56,6 +56,8 @@ class StopsOnMap {
   WorkTimes& times() { return times_; }
 
  private:
+  void add_rows(const std::string& file);
+
   PlannerSpec planner_;
   Deadline deadline_;
   mutable ThreadWorkers workers_;
@@ -64,6 +66,7 @@ class StopsOnMap {
   std::optional<Session::View> view_;
   std::optional<Coordinates> coordinates_;
   std::vector<MapPose> stops_;
+  std::vector<std::string> names_;  // empty: that of a row
   std::size_t stops_of_file_ = 0;
 };
 

@@ -33,8 +33,6 @@ class FirstError {
   std::optional<Error> error_;
 };
 
-std::string name_of(std::size_t stop) { return "stop " + std::to_string(stop); }
-
 Error stopped(const Deadline& deadline) {
   return {deadline.status(), "the costs between stops were not all found: " + deadline.text(), {}};
 }
@@ -75,6 +73,11 @@ class StopCostSearch {
   }
 
  private:
+  std::string name_of(std::size_t stop) const {
+    const bool named = stop < options_.names.size() && !options_.names[stop].empty();
+    return named ? options_.names[stop] : "stop " + std::to_string(stop);
+  }
+
   static Cell cell_of(const Pose& pose) {
     return {static_cast<int>(std::floor(pose.x)), static_cast<int>(std::floor(pose.y))};
   }
