@@ -20,7 +20,7 @@ from ._map import Map
 from ._plan import Drive, LeadOut, Leg, Plan, Quality, Trajectory, follow
 from ._registry import ControllerInfo, OptionInfo, PlannerInfo, SmootherInfo, controllers, planners, smoothers
 from ._search import Comparison, PlannerBase, compare, search
-from ._space import DriveExplanation, Explanation, FreeSpace, Way
+from ._space import DriveExplanation, Explanation, FreeSpace, Tour, TourLeg, Way
 from ._trace import Event, Trace
 
 __all__ = [
@@ -48,6 +48,8 @@ __all__ = [
     "PlannerInfo",
     "Quality",
     "SmootherInfo",
+    "Tour",
+    "TourLeg",
     "Trace",
     "Trajectory",
     "Way",

@@ -22,7 +22,7 @@ from ._types import named_types
 if TYPE_CHECKING:
     from ._index import Index
 
-__all__ = ["DriveExplanation", "Explanation", "FreeSpace", "Way"]
+__all__ = ["DriveExplanation", "Explanation", "FreeSpace", "Tour", "TourLeg", "Way"]
 
 Connectivity = Literal[4, 8]
 CornerRule = Literal["none", "one", "both"]
@@ -35,6 +35,38 @@ _LEAST_PART = 50  # queries that plan_many() plans between two looks at its prog
 def _fields_of(arguments: dict[str, Any]) -> dict[str, Any]:
     """The arguments of a function that are fields of a request."""
     return {name: value for name, value in arguments.items() if name in _FIELDS}
+
+
+class TourLeg(NamedTuple):
+    """The way from one stop of a tour to the next."""
+
+    start: int
+    """The stop that it leaves, by its place in the list."""
+    end: int
+    """The stop that it reaches."""
+    cost: float
+    """Its cost, as that of a plan."""
+    first: int
+    """The index of its first point in ``Tour.path``."""
+    last: int
+    """The index of its last point, where the next leg begins."""
+
+
+class Tour(NamedTuple):
+    """An order of stops, and the path through them."""
+
+    order: list[int]
+    """Places in the list of stops; a closed tour does not repeat the first."""
+    cost: float
+    """Of all legs, in the unit of ``Plan.cost``."""
+    bound: float
+    """No order costs less."""
+    status: str
+    """``found``; ``time_limit`` if the search for a better order was cut short."""
+    legs: list[TourLeg]
+    """One for each way."""
+    path: npt.NDArray[np.float64]
+    """The points of all legs in metres: shape (n, 2)."""
 
 
 class Way(NamedTuple):
@@ -352,6 +384,74 @@ class FreeSpace:
         [[0.0, 1.0, 2.0]]
         """
         return self._inner.cost_to_go(goals_of(goal), str(connectivity), corner_rule)
+
+    @named_types
+    def cost_matrix(
+        self, points: Iterable[Pose], planner: str = "astar", *, threads: int = 0, **options: object
+    ) -> npt.NDArray[np.float64]:
+        """The cost of the cheapest path from every point to every other: shape (n, n), rows are where paths begin, in
+        the unit of ``Plan.cost``; infinite without a path. For OR-tools, networkx and the like.
+
+        A planner that steps from cell to cell computes one field of costs for each point; one whose index was built
+        answers each pair in microseconds.
+
+        :param threads: 0: as many as the machine runs at once.
+        :raises ValueError: the robot cannot be at a point; the message names it.
+
+        >>> import wend
+        >>> space = wend.Map([[0, 0, 0, 1, 0]]).free_space()
+        >>> space.cost_matrix([(0, 0), (2, 0), (4, 0)]).tolist()
+        [[0.0, 2.0, inf], [2.0, 0.0, inf], [inf, inf, 0.0]]
+        """
+        return self._inner.cost_matrix(list(points), planner, text_of(options), checked_threads(threads))
+
+    @named_types
+    def tour(
+        self,
+        points: Iterable[Pose],
+        planner: str = "astar",
+        *,
+        closed: bool = False,
+        start: int | None = None,
+        end: int | None = None,
+        before: Iterable[tuple[int, int]] = (),
+        fixed: Iterable[tuple[int, int]] = (),
+        kicks: int | None = None,
+        seed: int = 1,
+        time_limit: float | None = None,
+        **options: object,
+    ) -> Tour:
+        """The best order of many stops, and the path through them.
+
+        :param closed: return to the first stop.
+        :param start: the first stop, by its place in `points`; None: any.
+        :param end: the last stop of an open tour.
+        :param before: pairs of stops, of which the first must be visited before the second.
+        :param fixed: pairs of stops that must follow each other directly, in either order.
+        :param kicks: how often to try another order; None: 50 for each stop, or until `time_limit`.
+        :param time_limit: seconds for all.
+        :raises ValueError: as ``cost_matrix()``, and if the demands contradict each other.
+        :raises wend.Error: some stops cannot be reached from others; the message names them.
+
+        >>> import wend
+        >>> tour = wend.Map([[0, 0, 0, 0, 0]]).free_space().tour([(2, 0), (4, 0), (0, 0)], start=2)
+        >>> tour.order, tour.cost
+        ([2, 0, 1], 4.0)
+        """
+        order, cost, bound, status, legs, path = self._inner.tour(
+            list(points),
+            planner,
+            text_of(options),
+            closed,
+            start,
+            end,
+            list(before),
+            list(fixed),
+            kicks,
+            seed,
+            time_limit,
+        )
+        return Tour(order, cost, bound, status, [TourLeg(*leg) for leg in legs], path)
 
     @named_types
     def policy(

@@ -14,7 +14,7 @@ namespace wend {
 namespace {
 
 constexpr int kLargestExponent = 36;  // of a cost: sums of 2^12 of them and their weights are exact doubles
-constexpr int kNearest = 8;           // edges of a place that most trees are made of
+constexpr int kSparseDegree = 8;           // edges of a place that most trees are made of
 constexpr int kTrees = 80;
 constexpr int kPatience = 8;         // trees without progress until steps are halved
 
@@ -188,7 +188,7 @@ class OneTrees {
       for (int other = 0; other < places_; ++other) {
         if (other != place) others.push_back(other);
       }
-      const auto kept = std::min(static_cast<std::ptrdiff_t>(others.size()), std::ptrdiff_t{kNearest});
+      const auto kept = std::min(static_cast<std::ptrdiff_t>(others.size()), std::ptrdiff_t{kSparseDegree});
       std::ranges::partial_sort(others, others.begin() + kept, [&](int a, int b) {
         return std::pair(cost(place, a), a) < std::pair(cost(place, b), b);
       });

@@ -21,7 +21,7 @@ PAGES = [
     ("search", "The common interface", ["search", "PlannerBase", "compare", "Comparison"]),
     ("testing", "Testing a planner of your own", ["testing.check_planner", "testing.PlannerFault"]),
     ("map", "Maps", ["Map"]),
-    ("space", "Planning", ["FreeSpace", "rectangle", "Explanation", "Way", "DriveExplanation"]),
+    ("space", "Planning", ["FreeSpace", "rectangle", "Explanation", "Way", "DriveExplanation", "Tour", "TourLeg"]),
     ("plan", "Plans, smoothing, following", ["Plan", "Leg", "LeadOut", "Quality", "Trajectory", "follow", "Drive"]),
     ("cover", "Coverage", ["Coverage"]),
     ("explore", "Robots that discover their map", ["explore", "Exploration"]),
