@@ -17,7 +17,7 @@ int main() {
   }
   const auto map = wend::make_grid_map(cells).value();
   const auto one_way = wend::with_arrows(map, headings).value();
-  const auto dear = wend::with_arrows(map, headings, {.factor = 1.5}).value();
+  const auto dear = wend::with_arrows(map, headings, {.factor = 1.25}).value();
 
   const auto query = wend::Query::between({21, 4}, {2, 4});  // against its aisle
   for (const wend::GridMap& each : {map, one_way, dear}) {
