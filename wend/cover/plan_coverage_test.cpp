@@ -47,7 +47,8 @@ double gap(Point a, Point b, Point p) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const double squared = dx * dx + dy * dy;
-  const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
+  const double t =
+      squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
   const double ex = p.x - a.x - t * dx;
   const double ey = p.y - a.y - t * dy;
   return std::sqrt(ex * ex + ey * ey);
@@ -59,7 +60,8 @@ class Reference {
   Reference(const GridMap& map, double radius) : map_(map), radius_(radius) {}
 
   bool fits(Point p) const {
-    if (!map_.contains({static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))})) return false;
+    if (!map_.contains({static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))}))
+      return false;
     for (const Cell cell : every_cell(map_)) {
       if (map_.state(cell) != CellState::free && gap(p, cell) < radius_ - 1e-6) return false;
     }
@@ -74,7 +76,8 @@ class Reference {
     while (!open.empty()) {
       const Cell at = open.back();
       open.pop_back();
-      for (const Cell to : {Cell{at.x + 1, at.y}, Cell{at.x - 1, at.y}, Cell{at.x, at.y + 1}, Cell{at.x, at.y - 1}}) {
+      for (const Cell to : {Cell{at.x + 1, at.y}, Cell{at.x - 1, at.y}, Cell{at.x, at.y + 1},
+                            Cell{at.x, at.y - 1}}) {
         if (!map_.contains(to) || reached[to] != 0 || !fits({to.x + 0.5, to.y + 0.5})) continue;
         reached[to] = 1;
         open.push_back(to);
@@ -165,7 +168,8 @@ TEST(PlanCoverage, CoversWhatItSaysWithoutCollisions) {
     std::size_t wanted = 0;
     std::size_t covered = 0;
     for (const Cell cell : every_cell(map)) {
-      ASSERT_EQ(coverage->wanted[cell], reference.wanted(cell, reached, reach)) << cell.x << ',' << cell.y;
+      ASSERT_EQ(coverage->wanted[cell], reference.wanted(cell, reached, reach))
+          << cell.x << ',' << cell.y;
       if (!coverage->wanted[cell]) continue;
       ++wanted;
       const double away = Reference::nearest(path, cell);
