@@ -610,9 +610,9 @@ const std::vector<Door>& doors_of_robots_and_maps() {
          CoverageOptions options{.tool_width = 4};
          options.angle = options.turn_cost = 1.0;
          options.start = options.end = Point{1.5, 1.5};
-         spoil<8>(random, {&options.tool_width, &options.overlap, &*options.angle,
-                           &*options.turn_cost, &options.share, &options.start->x,
-                           &options.start->y, &options.end->y});
+         spoil<8>(random,
+                  {&options.tool_width, &options.overlap, &*options.angle, &*options.turn_cost,
+                   &options.share, &options.start->x, &options.start->y, &options.end->y});
          const auto coverage = plan_coverage(space, options);
          return std::string(!coverage && coverage.error().message.empty() ? "no reason" : "");
        }},

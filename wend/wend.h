@@ -555,28 +555,31 @@ typedef struct wend_coverage wend_coverage;
 
 /// What to cover, and how. The tool is a disc in the middle of the robot. Lengths are in metres.
 typedef struct wend_coverage_options {
-  size_t struct_size;      // sizeof(wend_coverage_options)
-  double tool_width;       // from 2 to 500 cells; no default
-  double overlap;          // of neighbouring swaths, from 0 to below the tool's width; default 0
-  double angle;            // of the swaths, radians from +x; default NaN: each room its cheapest one
-  double turn_cost;        // what turning around costs, as a length; default NaN: the tool's width
-  double share;            // above 0, at most 1: of what the tool can reach; default 0.999
+  size_t struct_size;  // sizeof(wend_coverage_options)
+  double tool_width;   // from 2 to 500 cells; no default
+  double overlap;      // of neighbouring swaths, from 0 to below the tool's width; default 0
+  double angle;        // of the swaths, radians from +x; default NaN: each room its cheapest one
+  double turn_cost;    // what turning around costs, as a length; default NaN: the tool's width
+  double share;        // above 0, at most 1: of what the tool can reach; default 0.999
   const wend_pose* start;  // where the path begins, without the heading; default null: anywhere
   const wend_pose* end;    // where it ends; default null: anywhere
-  const uint8_t* area;     // a byte for each cell, row by row, 1 for those to cover; default null: all
+  const uint8_t* area;  // a byte for each cell, row by row, 1 for those to cover; default null: all
   const uint8_t* covered;  // the same, 1 for those that are covered already; default null: none
   size_t cell_count;       // of these arrays: columns times rows
   uint64_t seed;           // of the search for the order; default 1
   double seconds;          // of the whole call, >= 0; default infinity
-  const wend_cancel* cancel;  // ends the call with WEND_CANCELLED when another thread sets it; default null
+  const wend_cancel*
+      cancel;  // ends the call with WEND_CANCELLED when another thread sets it; default null
 } wend_coverage_options;
 
 /// Sets the defaults. `struct_size` is sizeof(wend_coverage_options).
-WEND_C_API wend_status wend_coverage_options_init(wend_coverage_options* options, size_t struct_size);
+WEND_C_API wend_status wend_coverage_options_init(wend_coverage_options* options,
+                                                  size_t struct_size);
 
 /// Plans a coverage. Fails with WEND_INVALID_ARGUMENT, WEND_START_OUTSIDE, WEND_START_BLOCKED, WEND_GOAL_OUTSIDE or
 /// WEND_GOAL_BLOCKED (the end), WEND_UNREACHABLE, WEND_TIME_LIMIT or WEND_CANCELLED. Free it with wend_coverage_free().
-WEND_C_API wend_status wend_session_cover(wend_session* session, const wend_coverage_options* options,
+WEND_C_API wend_status wend_session_cover(wend_session* session,
+                                          const wend_coverage_options* options,
                                           wend_coverage** coverage, wend_error* error);
 
 /// The number of poses of the path, between which the robot drives straight; 0 if nothing was left to cover, and for null.

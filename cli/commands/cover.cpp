@@ -32,7 +32,7 @@ namespace {
 
 constexpr NumberRange kWidths{1e-6, 1e6, kMapUnit};
 constexpr NumberRange kLengths{0, 1e6, kMapUnit};
-constexpr NumberRange kShares{1e-6, 1};
+constexpr NumberRange kCoveredShares{1e-6, 1};
 constexpr std::string_view kAutomatic = "auto";
 constexpr std::size_t kMostMissed = 5;  // places that are explained
 
@@ -73,7 +73,8 @@ std::optional<double> angle_of(const CoverArguments& arguments, const GridMap& m
   if (arguments.angle == kAutomatic) return std::nullopt;
   const auto degrees = parse_number(arguments.angle);
   if (!degrees || !(*degrees >= -360 && *degrees <= 360)) {
-    throw InputError(fmt::format("--angle {}: auto or degrees from -360 to 360 expected", arguments.angle));
+    throw InputError(
+        fmt::format("--angle {}: auto or degrees from -360 to 360 expected", arguments.angle));
   }
   return *degrees * kPi / 180 - map.frame().origin.heading;
 }
@@ -131,10 +132,11 @@ std::string write_mask(const std::string& file, const Coverage& coverage,
   return saved ? std::string() : saved.error().message;
 }
 
-void write_files(const CoverArguments& arguments, const FreeSpace& space, const CoverageOptions& options,
-                 const Coverage& coverage, const std::string& json) {
+void write_files(const CoverArguments& arguments, const FreeSpace& space,
+                 const CoverageOptions& options, const Coverage& coverage,
+                 const std::string& json) {
   const Frame& frame = space.map().frame();
-  auto writers = picture_writers({{{}, scene_of(space, coverage, options.tool_width)}},
+  auto writers = picture_writers({{{}, coverage_scene(space, coverage, options.tool_width)}},
                                  arguments.pictures.style);
   writers[".csv"] = [&](const std::string& file) {
     if (!coverage.path.empty()) return write_bytes(file, path_csv(coverage.path, frame));
@@ -164,13 +166,12 @@ int run(const CoverArguments& arguments) {
   const Interruptible interruptible;
   const Coverage coverage = coverage_of(space, options);
   const auto missed = missed_places(space, coverage, kMostMissed);
-  const std::string json =
-      coverage_json(coverage, missed, loaded.map.frame(), options.tool_width);
+  const std::string json = coverage_json(coverage, missed, loaded.map.frame(), options.tool_width);
   if (arguments.format == Format::json) {
     print(json);
   } else {
     print(picture_above(coverage_text(coverage, missed, arguments.map.coordinates(loaded.map)),
-                        scene_of(space, coverage, options.tool_width), detect_screen(),
+                        coverage_scene(space, coverage, options.tool_width), detect_screen(),
                         arguments.pictures));
   }
   write_files(arguments, space, options, coverage, json);
@@ -184,14 +185,17 @@ void add_places(Parser& cover, CoverArguments& arguments) {
       .type_name("X,Y");
   cover.add_option("--area", arguments.area, wrapped("Mask of the cells to cover (default: all)"))
       .type_name(kFileType);
-  cover.add_option("--covered", arguments.covered, wrapped("Mask of the cells that are covered already"))
+  cover
+      .add_option("--covered", arguments.covered,
+                  wrapped("Mask of the cells that are covered already"))
       .type_name(kFileType);
 }
 
 }  // namespace
 
 Command add_cover(Parser& app) {
-  Parser cover = app.add_subcommand("cover", "Cover an area: a path over every place that a tool can reach");
+  Parser cover =
+      app.add_subcommand("cover", "Cover an area: a path over every place that a tool can reach");
   const auto arguments = std::make_shared<CoverArguments>();
   arguments->map.add_to(cover);
   add_number(cover, "--tool-width", arguments->tool_width, kWidths,
@@ -200,23 +204,25 @@ Command add_cover(Parser& app) {
   add_number(cover, "--overlap", arguments->overlap, kLengths,
              "How much neighbouring swaths overlap (default 0)");
   cover
-      .add_option("--angle", arguments->angle,
-                  wrapped("Angle of the swaths in degrees from the map's +x, or auto: each room its "
-                          "cheapest one (default auto)"))
+      .add_option(
+          "--angle", arguments->angle,
+          wrapped("Angle of the swaths in degrees from the map's +x, or auto: each room its "
+                  "cheapest one (default auto)"))
       .type_name("DEG");
   add_number(cover, "--turn-cost", arguments->turn_cost, kLengths,
              "What turning around costs, as a length (default: the tool's width)");
-  add_number(cover, "--share", arguments->share, kShares,
+  add_number(cover, "--share", arguments->share, kCoveredShares,
              "Share of what the tool can reach that is to be covered (default 0.999)");
   add_places(cover, *arguments);
   add_count(cover, "--seed", arguments->seed, "Seed of the search for the order (default 1)");
   arguments->limits.add_to(cover);
   add_format(cover, arguments->format);
   arguments->pictures.add_to(cover);
-  arguments->output.add_to(cover, {".csv", ".json", ".png", ".svg", ".pdf", ".gif", ".pgm"},
-                           "Also write the path (.csv), all results (.json), a picture (.png, .svg, "
-                           ".pdf), a film (.gif) or a mask of what is covered (.pgm); may be given "
-                           "several times");
+  arguments->output.add_to(
+      cover, {".csv", ".json", ".png", ".svg", ".pdf", ".gif", ".pgm"},
+      "Also write the path (.csv), all results (.json), a picture (.png, .svg, "
+      ".pdf), a film (.gif) or a mask of what is covered (.pgm); may be given "
+      "several times");
   cover.footer(kCoverExamples);
   return {cover, [cover, arguments] {
             arguments->pictures.check(cover, arguments->output.any_picture(),

@@ -39,7 +39,7 @@ Scene scene_after(Scene scene, double driven, double resolution) {
 
 }  // namespace
 
-Scene scene_of(const FreeSpace& space, const Coverage& coverage, double tool_width) {
+Scene coverage_scene(const FreeSpace& space, const Coverage& coverage, double tool_width) {
   Scene scene{.space = space};
   if (coverage.path.empty()) return scene;
   scene = wend::scene_of(space, coverage.path);
@@ -49,13 +49,14 @@ Scene scene_of(const FreeSpace& space, const Coverage& coverage, double tool_wid
 
 Expected<std::string, Error> coverage_gif(const FreeSpace& space, const Coverage& coverage,
                                           double tool_width, const Style& style) {
-  const Scene last = scene_of(space, coverage, tool_width);
+  const Scene last = coverage_scene(space, coverage, tool_width);
   const std::string title = "coverage";
   if (coverage.path.size() < 2) return gif_of(title, last, style);
   const double resolution = space.map().frame().resolution;
   const auto panels_at = [&](std::size_t frame) {
     const double driven = coverage.length * static_cast<double>(frame) / (kFrames - 1);
-    return std::vector<FilmPanel>{{title, in_metres(driven), scene_after(last, driven, resolution)}};
+    return std::vector<FilmPanel>{
+        {title, in_metres(driven), scene_after(last, driven, resolution)}};
   };
   return gif_of_frames({.frames = kFrames, .panels_at = panels_at}, style);
 }

@@ -13,7 +13,7 @@ namespace wend::cli {
 
 /// The map with the path, and the cells coloured by how far the robot had driven when it covered them. What is missed has
 /// no colour. `tool_width` in metres.
-Scene scene_of(const FreeSpace& space, const Coverage& coverage, double tool_width);
+Scene coverage_scene(const FreeSpace& space, const Coverage& coverage, double tool_width);
 
 /// A GIF of the robot on its way, and of what it has covered.
 Expected<std::string, Error> coverage_gif(const FreeSpace& space, const Coverage& coverage,

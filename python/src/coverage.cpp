@@ -35,7 +35,8 @@ std::optional<BitGrid> cells_of(nb::handle array, const std::string& name) {
 /// 1 for the cells that are set.
 auto array_of(const BitGrid& cells) {
   std::vector<std::uint8_t> values;
-  values.reserve(static_cast<std::size_t>(cells.width()) * static_cast<std::size_t>(cells.height()));
+  values.reserve(static_cast<std::size_t>(cells.width()) *
+                 static_cast<std::size_t>(cells.height()));
   for (const Cell cell : every_cell(cells)) values.push_back(cells[cell] ? 1 : 0);
   return owned_array<std::uint8_t, 2>(std::move(values), shape_of(cells));
 }
@@ -62,7 +63,8 @@ nb::dict cover(const Space& space, double tool_width, double overlap, std::optio
                std::optional<double> time_limit) {
   const FreeSpace free = space.view().space;
   const Frame& frame = free.map().frame();
-  CoverageOptions options{.tool_width = tool_width, .overlap = overlap, .share = share, .seed = seed};
+  CoverageOptions options{
+      .tool_width = tool_width, .overlap = overlap, .share = share, .seed = seed};
   if (angle) options.angle = *angle - frame.origin.heading;
   options.turn_cost = turn_cost;
   options.start = place_of(start, "start", frame);

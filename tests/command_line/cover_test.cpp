@@ -20,7 +20,8 @@ using testing::IsEmpty;
 class CoverCommand : public testing::Test {
  protected:
   CoverCommand() {
-    const Outcome made = wend({"generate", "office", "--size", "120x80", "--seed", "3", "-o", map_});
+    const Outcome made =
+        wend({"generate", "office", "--size", "120x80", "--seed", "3", "-o", map_});
     EXPECT_EQ(made.code, 0) << made.err;
   }
 
@@ -50,7 +51,8 @@ TEST_F(CoverCommand, WritesAPathThatCheckFindsFree) {
 
 TEST_F(CoverCommand, GoesOnFromAMaskOfItsOwn) {
   ASSERT_EQ(cover({"-o", file("done.pgm")}).code, 0);
-  const Outcome rest = cover({"--covered", file("done.pgm"), "--share", "0.998", "--format", "json"});
+  const Outcome rest =
+      cover({"--covered", file("done.pgm"), "--share", "0.998", "--format", "json"});
   ASSERT_EQ(rest.code, 0) << rest.err;
   EXPECT_EQ(json::parse(rest.out)["length_m"].get<double>(), 0);
 }

@@ -31,13 +31,13 @@ wend_coverage::wend_coverage(const wend::Coverage& coverage, const wend::Frame& 
 namespace wend::c {
 namespace {
 
-constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
 
 wend_coverage_options coverage_defaults() {
   wend_coverage_options options{};
   options.struct_size = sizeof(wend_coverage_options);
-  options.angle = kUnset;
-  options.turn_cost = kUnset;
+  options.angle = kNotGiven;
+  options.turn_cost = kNotGiven;
   options.share = CoverageOptions{}.share;
   options.seed = CoverageOptions{}.seed;
   options.seconds = std::numeric_limits<double>::infinity();
@@ -68,7 +68,8 @@ Expected<CoverageOptions, Failure> coverage_options(const wend_coverage_options&
                                                     const FreeSpace& space) {
   const Frame& frame = space.map().frame();
   if (!(given.seconds >= 0)) return refused("wend_coverage_options.seconds is negative or NaN");
-  CoverageOptions options{.tool_width = given.tool_width, .overlap = given.overlap, .share = given.share};
+  CoverageOptions options{
+      .tool_width = given.tool_width, .overlap = given.overlap, .share = given.share};
   if (!std::isnan(given.angle)) options.angle = given.angle - frame.origin.heading;
   if (!std::isnan(given.turn_cost)) options.turn_cost = given.turn_cost;
   options.start = place_of(given.start, frame);
@@ -86,7 +87,7 @@ Expected<CoverageOptions, Failure> coverage_options(const wend_coverage_options&
 }
 
 double number_of(const wend_coverage* coverage, double wend_coverage::* number) {
-  return coverage == nullptr ? kUnset : coverage->*number;
+  return coverage == nullptr ? kNotGiven : coverage->*number;
 }
 
 }  // namespace

@@ -73,7 +73,8 @@ TEST(CCoverage, RefusesWrongArguments) {
   const auto status_of = [&](const wend_coverage_options* options) {
     return refusal_of<wend_coverage>([&](wend_coverage** coverage, wend_error* error) {
              return wend_session_cover(session.get(), options, coverage, error);
-           }).status;
+           })
+        .status;
   };
   EXPECT_EQ(status_of(nullptr), WEND_INVALID_ARGUMENT);
   wend_coverage_options options = coverage_options(3);

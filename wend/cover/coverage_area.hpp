@@ -30,8 +30,8 @@ void visit_cells_near(const Line& line, double reach, int width, int height, Vis
   const Point a = line.from;
   const Point b = line.to;
   const double length = line.length();
-  const Point side = length > 0 ? Point{-(b.y - a.y) / length * most, (b.x - a.x) / length * most}
-                                : Point{0, 0};
+  const Point side =
+      length > 0 ? Point{-(b.y - a.y) / length * most, (b.x - a.x) / length * most} : Point{0, 0};
   const int top = std::max(0, static_cast<int>(std::floor(std::min(a.y, b.y) - most - 0.5)));
   const int last = std::min(height - 1, static_cast<int>(std::ceil(std::max(a.y, b.y) + most)));
   for (int y = top; y <= last; ++y) {

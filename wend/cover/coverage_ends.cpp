@@ -6,25 +6,29 @@
 #include <string_view>
 #include <utility>
 
-#include "wend/map/place_text.hpp"
+#include "wend/base/parse.hpp"
 #include "wend/robot/near_map.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
 namespace {
 
-constexpr double kLeastTool = 2;         // cells
+constexpr double kLeastTool = 2;       // cells
 constexpr double kGreatestTool = 500;  // cells
-constexpr double kMostLength = 1e6;      // cells, of a turn cost
+constexpr double kMostLength = 1e6;    // cells, of a turn cost
 
 Error invalid(std::string what, std::string option) {
   return {Status::invalid_option, std::move(what), std::move(option)};
 }
 
-bool within(double value, double least, double greatest) { return value >= least && value <= greatest; }
+bool within(double value, double least, double greatest) {
+  return value >= least && value <= greatest;
+}
 
 std::optional<Error> size_fault(const std::optional<BitGrid>& cells, const FreeSpace& space,
                                 std::string_view name) {
-  if (!cells || (cells->width() == space.width() && cells->height() == space.height())) return std::nullopt;
+  if (!cells || (cells->width() == space.width() && cells->height() == space.height()))
+    return std::nullopt;
   return invalid(std::string(name) + ": " + std::to_string(cells->width()) + " x " +
                      std::to_string(cells->height()) + " cells, but the map has " +
                      std::to_string(space.width()) + " x " + std::to_string(space.height()),
@@ -41,7 +45,8 @@ Expected<Cell, Error> cell_of(Point point, const FreeSpace& space, bool start) {
   const Cell cell = cell_at(point);
   if (const auto reason = space.why_blocked(cell)) {
     return failure(start ? Status::start_blocked : Status::goal_blocked,
-                   "the robot cannot stand at the " + name + ": " + std::string(describe(*reason)), name);
+                   "the robot cannot stand at the " + name + ": " + std::string(describe(*reason)),
+                   name);
   }
   return cell;
 }
@@ -65,8 +70,8 @@ std::optional<Error> fault_of(const CoverageOptions& options, const FreeSpace& s
   const double resolution = space.map().frame().resolution;
   const double tool = options.tool_width / resolution;
   if (!within(tool, kLeastTool, kGreatestTool)) {
-    return invalid("tool_width: a number from " + std::to_string(kLeastTool * resolution) + " to " +
-                       std::to_string(kGreatestTool * resolution) + " expected (2 to 500 cells)",
+    return invalid("tool_width: a number from " + format_number(kLeastTool * resolution) + " to " +
+                       format_number(kGreatestTool * resolution) + " expected (2 to 500 cells)",
                    "tool_width");
   }
   if (!(options.overlap >= 0 && options.overlap < options.tool_width)) {
@@ -83,6 +88,11 @@ std::optional<Error> fault_of(const CoverageOptions& options, const FreeSpace& s
   }
   if (auto fault = size_fault(options.area, space, "area")) return fault;
   return size_fault(options.covered, space, "covered");
+}
+
+std::optional<Point> standing_place(const std::optional<Point>& point, const FreeSpace& space) {
+  if (!point || disc_fits_along(space, Line{*point, *point})) return point;
+  return centre_of(cell_at(*point));
 }
 
 Expected<Cell, Error> first_cell(const CoverageOptions& options, const FreeSpace& space) {

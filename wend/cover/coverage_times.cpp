@@ -27,7 +27,8 @@ Grid<double> coverage_times(const Coverage& coverage, const FreeSpace& space, do
     const Line line{points[i - 1], points[i]};
     const int pieces = std::max(1, static_cast<int>(std::ceil(line.length() / (2 * reach))));
     for (int k = 0; k < pieces; ++k) {
-      pass({line.at(static_cast<double>(k) / pieces), line.at(static_cast<double>(k + 1) / pieces)});
+      pass(
+          {line.at(static_cast<double>(k) / pieces), line.at(static_cast<double>(k + 1) / pieces)});
     }
   }
   return times;

@@ -43,8 +43,8 @@ class Joiner {
     query.limits = deadline_.left();
     const Status status = planner_->plan(query, plan_);
     if (status != Status::found) {
-      return failure(status, "no way between two strokes of a coverage: " +
-                                 std::string(describe(status)));
+      return failure(status,
+                     "no way between two strokes of a coverage: " + std::string(describe(status)));
     }
     Path way = plan_.path;
     if (!way.cells().empty()) {

@@ -36,7 +36,8 @@ MissedPlace take_place(BitGrid& cells, Cell first, const FreeSpace& space) {
   return place;
 }
 
-void append_places(std::vector<MissedPlace>& places, BitGrid cells, bool reachable, const FreeSpace& space) {
+void append_places(std::vector<MissedPlace>& places, BitGrid cells, bool reachable,
+                   const FreeSpace& space) {
   for (const Cell cell : every_cell(cells)) {
     if (!cells[cell]) continue;
     places.push_back(take_place(cells, cell, space));

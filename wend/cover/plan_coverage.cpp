@@ -37,10 +37,11 @@ std::size_t may_stay(const CoverageArea& area, double share) {
 }
 
 /// Strokes that cover the area up to the share, in no order.
-Expected<std::vector<Stroke>, Error> strokes_over(CoverageArea& area, const CoverageOptions& options,
-                                                  double turn_cost, const Deadline& deadline) {
+Expected<std::vector<Stroke>, Error> strokes_over(CoverageArea& area,
+                                                  const CoverageOptions& options, double turn_cost,
+                                                  const Deadline& deadline) {
   constexpr double kLeastStrip = 0.15;  // of the tool's square: a smaller strip is a crumb
-  constexpr int kRounds = 2;            // of swaths: what the first left over may lie well for another angle
+  constexpr int kRounds = 2;  // of swaths: what the first left over may lie well for another angle
   const double resolution = area.space().map().frame().resolution;
   const SwathOptions swath_options{options.overlap / resolution, turn_cost, options.angle};
   const CoverageArea before = area;
@@ -100,7 +101,8 @@ Coverage coverage_along(Stroke points, CoverageArea area, const CoverageOptions&
   coverage.unreached = unreached_of(area, options.area);
   const std::size_t wanted = area.wanted().count();
   if (wanted > 0) {
-    coverage.covered_share = 1 - static_cast<double>(area.count_left()) / static_cast<double>(wanted);
+    coverage.covered_share =
+        1 - static_cast<double>(area.count_left()) / static_cast<double>(wanted);
   }
   coverage.path = Path::along(std::move(points));
   return coverage;
@@ -123,14 +125,16 @@ Expected<Coverage, Error> plan_coverage(const FreeSpace& space, const CoverageOp
   auto strokes = strokes_over(area, options, turn_cost, deadline);
   if (!strokes) return Unexpected<Error>(strokes.error());
   if (deadline.passed()) return out_of_time(deadline);
-  StrokeOrderOptions order{.turn_cost = turn_cost, .start = options.start, .end = options.end};
+  StrokeOrderOptions order{.turn_cost = turn_cost};
+  order.start = standing_place(options.start, space);
+  order.end = standing_place(options.end, space);
   order.seed = options.seed;
   order.limits = deadline.left();
   order.limits.seconds = deadline.seconds_left() / 2;  // the ways take time, too
   const std::size_t count = strokes->size();
   const auto in_order = ordered(untouched, std::move(*strokes), order);
   if (!in_order) return Unexpected<Error>(in_order.error());
-  auto points = joined(untouched, *in_order, options.start, options.end, deadline);
+  auto points = joined(untouched, *in_order, order.start, order.end, deadline);
   if (!points) return Unexpected<Error>(points.error());
   Coverage coverage = coverage_along(std::move(*points), untouched, options);
   coverage.strokes = count;

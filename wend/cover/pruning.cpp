@@ -52,7 +52,8 @@ class Counts {
 
 }  // namespace
 
-std::vector<Stroke> pruned(const CoverageArea& area, std::vector<Stroke> strokes, std::size_t may_stay) {
+std::vector<Stroke> pruned(const CoverageArea& area, std::vector<Stroke> strokes,
+                           std::size_t may_stay) {
   Counts counts(area);
   for (const Stroke& stroke : strokes) counts.add(stroke, 1);
   struct Candidate {

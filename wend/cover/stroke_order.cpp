@@ -16,12 +16,13 @@ namespace wend {
 namespace {
 
 constexpr std::size_t kMostStops = 8'000;  // half a gigabyte of costs
-constexpr double kSight = 8;  // tool widths, up to which lines of sight are looked for
+constexpr double kSight = 8;               // tool widths, up to which lines of sight are looked for
 
 /// An end of a stroke, or a place of the robot.
 struct Stop {
   Point place;
-  std::optional<Point> leaving = {};  // the direction of who leaves the stroke here, of length 1; nothing: any
+  std::optional<Point> leaving =
+      {};  // the direction of who leaves the stroke here, of length 1; nothing: any
   std::size_t stroke = 0;
   bool front = true;
 };
@@ -137,9 +138,10 @@ Expected<std::vector<Stroke>, Error> ordered(const CoverageArea& area, std::vect
   const std::vector<Stop> stops = stops_of(strokes, options);
   if (stops.size() < 2) return strokes;
   if (stops.size() > kMostStops) {
-    return failure(Status::memory_limit,
-                   "the order of " + std::to_string(strokes.size()) +
-                       " strokes takes too much memory: cover parts of the map (area), one after the other");
+    return failure(
+        Status::memory_limit,
+        "the order of " + std::to_string(strokes.size()) +
+            " strokes takes too much memory: cover parts of the map (area), one after the other");
   }
   const CostMatrix costs = StopCosts(area, stops, options.turn_cost).matrix();
   const auto tour = plan_tour(costs, tour_options(stops, options));

@@ -16,9 +16,9 @@
 namespace wend {
 
 struct StrokeOrderOptions {
-  double turn_cost = 0;              // of half a turn, in cells; other turns in proportion
-  std::optional<Point> start = {};   // where the robot is before, reachable
-  std::optional<Point> end = {};     // where it has to be afterwards, reachable
+  double turn_cost = 0;             // of half a turn, in cells; other turns in proportion
+  std::optional<Point> start = {};  // where the robot is before, reachable
+  std::optional<Point> end = {};    // where it has to be afterwards, reachable
   std::uint64_t kicks_per_stop = 1;
   std::uint64_t seed = 1;
   Limits limits = {};

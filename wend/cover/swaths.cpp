@@ -68,8 +68,9 @@ class Sweep {
   std::size_t missed() const { return missed_; }
 
  private:
-  static constexpr double kRow = 0.75;     // cells: spots that count as one row across
-  static constexpr double kMargin = 0.35;  // cells: the lowest row is reached along a stretch, not in a point
+  static constexpr double kRow = 0.75;  // cells: spots that count as one row across
+  static constexpr double kMargin =
+      0.35;  // cells: the lowest row is reached along a stretch, not in a point
 
   /// As far above the lowest spots as covers them; less if less is left.
   double line_above(double lowest, double greatest) const {
@@ -85,7 +86,8 @@ class Sweep {
   /// Lays strokes on one line for the spots that it reaches, from the first spot on.
   void lay(std::size_t first, double across) {
     reached_.clear();
-    for (std::size_t i = first; i < spots_.size() && spots_[i].across <= across + area_.reach(); ++i) {
+    for (std::size_t i = first; i < spots_.size() && spots_[i].across <= across + area_.reach();
+         ++i) {
       if (!spots_[i].covered && spots_[i].across >= across - area_.reach()) reached_.push_back(i);
     }
     std::ranges::sort(reached_, {}, [&](std::size_t i) { return spots_[i].along; });
@@ -123,7 +125,8 @@ class Sweep {
       std::vector<std::size_t> here;
       for (const std::size_t i : run) {
         const double chord = half_chord(spots_[i], across);
-        if (!spots_[i].covered && spots_[i].along + chord >= from && spots_[i].along - chord <= to) {
+        if (!spots_[i].covered && spots_[i].along + chord >= from &&
+            spots_[i].along - chord <= to) {
           here.push_back(i);
         }
       }
@@ -135,7 +138,8 @@ class Sweep {
     }
   }
 
-  std::vector<std::pair<double, double>> free_pieces(double begin, double end, double across) const {
+  std::vector<std::pair<double, double>> free_pieces(double begin, double end,
+                                                     double across) const {
     std::vector<std::pair<double, double>> pieces;
     const int steps = std::max(1, static_cast<int>(std::ceil(2 * (end - begin))));
     bool open = false;
@@ -158,7 +162,8 @@ class Sweep {
     if (!area_.free_along(from, to)) return false;
     for (const std::size_t i : run) {
       const double chord = half_chord(spots_[i], across);
-      if (spots_[i].along + chord >= begin && spots_[i].along - chord <= end) spots_[i].covered = true;
+      if (spots_[i].along + chord >= begin && spots_[i].along - chord <= end)
+        spots_[i].covered = true;
     }
     if (end > begin) {
       strokes_.push_back({from, to});
@@ -197,7 +202,8 @@ std::vector<Cell> sample_of(std::span<const Cell> part) {
   return sample;
 }
 
-double cheapest_angle(const CoverageArea& area, std::span<const Cell> part, const SwathOptions& options) {
+double cheapest_angle(const CoverageArea& area, std::span<const Cell> part,
+                      const SwathOptions& options) {
   const std::vector<Cell> sample = sample_of(part);
   const double scale = static_cast<double>(part.size()) / static_cast<double>(sample.size());
   double best = 0;
@@ -219,7 +225,8 @@ double cheapest_angle(const CoverageArea& area, std::span<const Cell> part, cons
 
 }  // namespace
 
-std::vector<Stroke> swaths(CoverageArea& area, std::span<const Cell> part, const SwathOptions& options) {
+std::vector<Stroke> swaths(CoverageArea& area, std::span<const Cell> part,
+                           const SwathOptions& options) {
   if (part.empty()) return {};
   const Axes axes(options.angle ? *options.angle : cheapest_angle(area, part, options));
   std::vector<Stroke> strokes = Sweep(area, axes, options.overlap).over(part);

@@ -31,7 +31,8 @@ class ContourTracer {
     for (const Cell cell : every_cell(seen_)) {
       if (!area_.reachable(cell)) continue;
       for (unsigned side = 0; side < 4; ++side) {
-        if (is_border({cell, side}) && !seen({cell, side})) contours.push_back(follow({cell, side}));
+        if (is_border({cell, side}) && !seen({cell, side}))
+          contours.push_back(follow({cell, side}));
       }
     }
     return contours;

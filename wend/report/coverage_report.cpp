@@ -29,10 +29,11 @@ std::string coverage_text(const Coverage& coverage, std::span<const MissedPlace>
     text += fmt::format(", {:.2f} times the lower bound of {}",
                         coverage.length / coverage.lower_bound, length(coverage.lower_bound));
   }
-  text += fmt::format("\nturns             {}\nstrokes           {}\n", coverage.turns, coverage.strokes);
+  text += fmt::format("\nturns             {}\nstrokes           {}\n", coverage.turns,
+                      coverage.strokes);
   for (const MissedPlace& place : missed) {
-    text += fmt::format("missed            {} at {}: {}\n", units.area(place.cells), units.text(place.cell),
-                        reason_of(place, units));
+    text += fmt::format("missed            {} at {}: {}\n", units.area(place.cells),
+                        units.text(place.cell), reason_of(place, units));
   }
   return text;
 }

@@ -23,8 +23,9 @@ namespace {
 constexpr double kRadius = 0.175;  // metres
 constexpr double kTool = 0.35;
 constexpr std::array<std::string_view, 6> kRealMaps{
-    "ros/pal_small_office/map.yaml", "ros/pal_office/map.yaml",  "ros/rmp/museum.yaml",
-    "ros/rmp/warehouse.yaml",        "ros/nav2/depot.yaml",      "ros/fetch/3_1_16_localization.yaml"};
+    "ros/pal_small_office/map.yaml", "ros/pal_office/map.yaml",
+    "ros/rmp/museum.yaml",           "ros/rmp/warehouse.yaml",
+    "ros/nav2/depot.yaml",           "ros/fetch/3_1_16_localization.yaml"};
 
 std::vector<NamedMap> maps_to_cover() {
   std::vector<std::filesystem::path> files;
@@ -52,8 +53,7 @@ void measure_one(const NamedMap& map, int rounds) {
   const double resolution = map.map.frame().resolution;
   const double area = static_cast<double>(coverage.wanted.count()) * resolution * resolution;
   fmt::print("| {} | {:.0f} m2 | {} | {:.2f} % | {:.3f} | {:.2f} | {:.2f} |\n", map.name, area,
-             coverage.strokes, 100 * coverage.covered_share,
-             coverage.length / coverage.lower_bound,
+             coverage.strokes, 100 * coverage.covered_share, coverage.length / coverage.lower_bound,
              static_cast<double>(coverage.turns) / coverage.length, least);
 }
 
@@ -64,8 +64,9 @@ Measure add_coverage(CLI::App& app) {
   add_rounds(app, *rounds);
   return [rounds] {
     stay_on_one_core();
-    fmt::print("| map | area | strokes | covered | path / bound | turns a metre | seconds |\n"
-               "|---|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| map | area | strokes | covered | path / bound | turns a metre | seconds |\n"
+        "|---|---|---|---|---|---|---|\n");
     for (const NamedMap& map : maps_to_cover()) measure_one(map, *rounds);
     return 0;
   };
