@@ -25,13 +25,13 @@
 namespace wend {
 namespace {
 
-constexpr int kWidth = 24;
-constexpr int kHeight = 18;
+constexpr int kColumns = 24;
+constexpr int kRows = 18;
 
 GridMap random_map(Random& random, double blocked) {
-  Grid<CellState> cells(kWidth, kHeight, CellState::free);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  Grid<CellState> cells(kColumns, kRows, CellState::free);
+  for (int y = 0; y < kRows; ++y) {
+    for (int x = 0; x < kColumns; ++x) {
       if (random.uniform() < blocked) cells[{x, y}] = CellState::occupied;
     }
   }
@@ -40,10 +40,10 @@ GridMap random_map(Random& random, double blocked) {
 }
 
 MapPoint random_place(Random& random) {
-  return {-2 + 0.1 * kWidth * random.uniform(), 1 + 0.1 * kHeight * random.uniform()};
+  return {-2 + 0.1 * kColumns * random.uniform(), 1 + 0.1 * kRows * random.uniform()};
 }
 
-PlanRequest random_request(const std::string& planner, Random& random) {
+PlanRequest random_round(const std::string& planner, Random& random) {
   const MapPoint start = random_place(random);
   PlanRequest request{{start.x, start.y, 6 * random.uniform() - 3}, {}, {planner}};
   if (planner == "hybrid_astar") request.planner.options = {{"turning_radius", "0.2"}};
@@ -98,7 +98,7 @@ TEST_P(EveryPlannersLegs, AreThePlansMadeAlone) {
     SCOPED_TRACE(query);
     const GridMap map = random_map(random, headings() ? 0.03 : 0.15);
     const FreeSpaceOptions robot{.footprint = Footprint::disc(query % 3 == 0 ? 0.07 : 0)};
-    const PlanRequest request = random_request(GetParam(), random);
+    const PlanRequest request = random_round(GetParam(), random);
     Session together(map, robot);
     Session apart(map, robot);
     const auto answer = together.plan(request);
