@@ -332,6 +332,7 @@ void PlanRun::fail(Status status, std::string reason) {
 
 Scene PlanRun::scene() const {
   Scene scene = query_scene(spec_, space_, asked_);
+  if (result_.status != Status::found) return scene;
   const Frame& frame = space_.map().frame();
   scene.vias = places_of_goals(goals_in_grid(request_.vias, request_.coordinates, frame));
   return scene;
@@ -439,7 +440,10 @@ std::string PlanRun::json() const {
 /// Of a failure: what there is to see of the reason, and the reason in words.
 std::vector<Panel> PlanRun::panels() const {
   if (result_.status == Status::found) return layer_panels(outcome(), layers_);
-  const bool gave_up = result_.plan.metrics.expanded > 0 && result_.status != Status::unreachable;
+  // Of a path through vias, the leg that failed is shown.
+  const SearchMetrics& search =
+      result_.legs.empty() ? result_.plan.metrics : result_.legs.back().metrics;
+  const bool gave_up = search.expanded > 0 && result_.status != Status::unreachable;
   std::vector<Panel> panels{
       {fmt::format("no path: {}", to_string(result_.status)),
        gave_up ? outcome()

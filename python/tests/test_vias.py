@@ -70,7 +70,7 @@ def test_headings_go_on() -> None:
 
 def test_failures_name_the_leg() -> None:
     space = wend.Map([[0, 0, 0, 1, 0]]).free_space()
-    with pytest.raises(wend.NoPath, match="leg 2 of 2, from via 1 to the goal: no path") as failure:
+    with pytest.raises(wend.NoPath, match="leg 2 of 2, from via 1 to the goal: there is no path") as failure:
         space.plan((0, 0), (4, 0), via=(2, 0))
     assert failure.value.status == "unreachable"
 

@@ -153,7 +153,7 @@ class FreeSpace:
     def plan(
         self,
         start: Pose,
-        goal: Pose | Iterable[Pose] | None = None,
+        goal: Pose | Iterable[Pose] = (),
         planner: str = "astar",
         *,
         via: Pose | Iterable[Pose] = (),
@@ -204,9 +204,12 @@ class FreeSpace:
         """
         fields = _fields_of(locals())
         texts = text_of(options) if options else {}
-        if closed and goal is not None:
+        no_goal = isinstance(goal, tuple) and not goal
+        if closed and not no_goal:
             raise InvalidArgument("a closed path ends at its start: it has no goal", "unsupported_query", "goal")
-        goals = [] if goal is None and closed else goals_of(() if goal is None else goal)
+        if no_goal and not closed:
+            raise TypeError("plan() missing 1 required argument: 'goal'")
+        goals = [] if closed else goals_of(goal)
         vias = places_of(via, "via")
         return Plan(self._inner.plan(start, goals, planner, texts, fields, None, False, vias, closed))
 

@@ -31,6 +31,19 @@ void add(SearchMetrics& all, const SearchMetrics& one) {
   all.max_frontier = std::max(all.max_frontier, one.max_frontier);
 }
 
+/// What the requests of all legs have in common: they plan one leg, in grid coordinates (so a pose at which a leg ends
+/// is, to the last bit, where the next one begins), and what is done with the path is done with the whole.
+PlanRequest common_to_legs(PlanRequest request) {
+  request.coordinates = MapUnits::cells;
+  request.goals.clear();
+  request.vias.clear();
+  request.closed = false;
+  request.refinement = {};
+  request.trajectory.reset();
+  request.texts = {};
+  return request;
+}
+
 /// Plans leg after leg, and joins them.
 class LegWalk {
  public:
@@ -39,6 +52,7 @@ class LegWalk {
       : request_(request),
         planner_(planner),
         deadline_(deadline),
+        common_(common_to_legs(request)),
         query_(query_of(request, frame)),
         vias_(goals_in_grid(request.vias, request.coordinates, frame)),
         legs_(named_legs(vias_.size(), request.closed)) {}
@@ -64,6 +78,7 @@ class LegWalk {
   const PlanRequest& request_;
   const LegPlanner& planner_;
   const Deadline& deadline_;
+  const PlanRequest common_;      // to the legs
   const Query query_;             // of the request, in grid coordinates
   const std::vector<Goal> vias_;  // the same
   std::vector<PlanLeg> legs_;     // the first ones are planned
@@ -76,18 +91,11 @@ class LegWalk {
   bool joins_are_fixed_ = true;      // could no leg end elsewhere, or with another heading?
 };
 
-/// In grid coordinates: a pose at which a leg ends is, to the last bit, where the next one begins.
 PlanRequest LegWalk::request_of(std::size_t leg) const {
-  PlanRequest request = request_;
+  PlanRequest request = common_;
   const bool last = leg + 1 == legs_.size();
-  request.coordinates = MapUnits::cells;
-  request.vias.clear();
-  request.closed = false;
-  request.refinement = {};
-  request.trajectory.reset();
   request.closest = request_.closest && last;
   request.start = as_given(leg == 0 ? query_.start : end_of(paths_.back()));
-  request.texts = {};
   const std::vector<std::string>& texts = request_.texts.vias;
   if (leg == 0) {
     request.texts.start = request_.texts.start;
@@ -95,7 +103,6 @@ PlanRequest LegWalk::request_of(std::size_t leg) const {
     request.escape = 0;
     if (leg <= texts.size()) request.texts.start = texts[leg - 1];
   }
-  request.goals.clear();
   if (!last) {
     request.goals.push_back(as_given(vias_[leg]));
     if (leg < texts.size()) request.texts.goals = {texts[leg]};
