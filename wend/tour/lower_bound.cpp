@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kLargestExponent = 36;  // of a cost: sums of 2^12 of them and their weights are exact doubles
 constexpr int kSparseDegree = 8;           // edges of a place that most trees are made of
+constexpr double kLeastCost = 1e-150;  // of the largest one: else its fractions are no numbers
 constexpr int kTrees = 80;
 constexpr int kPatience = 8;         // trees without progress until steps are halved
 
@@ -245,7 +246,7 @@ double lower_bound(const OrderProblem& problem, double cost, const Deadline& dea
   for (const double way : problem.costs.values()) {
     if (way < CostMatrix::kNoWay) largest = std::max(largest, way);
   }
-  if (!(largest > 0)) return 0;
+  if (largest < kLeastCost) return 0;
   const double unit = std::ldexp(1.0, std::ilogb(largest) + 1 - kLargestExponent);
   OneTrees trees(problem, unit);
   double best = 0;

@@ -8,6 +8,8 @@
 namespace wend {
 namespace {
 
+constexpr double kLargestCost = 1e150;  // sums stay finite
+
 std::optional<Error> no_such_stop(int stop, int stops, const std::string& option) {
   if (stop >= 0 && stop < stops) return std::nullopt;
   return Error{Status::invalid_option,
@@ -20,10 +22,12 @@ std::optional<Error> fault_of(const CostMatrix& costs) {
   if (costs.size() == 0) return Error{Status::invalid_option, "there are no stops to order", "stops"};
   for (int from = 0; from < costs.size(); ++from) {
     for (int to = 0; to < costs.size(); ++to) {
-      if (from == to || costs(from, to) >= 0) continue;
+      const double cost = costs(from, to);
+      if (from == to || cost == CostMatrix::kNoWay) continue;
+      if (cost >= 0 && cost <= kLargestCost) continue;
       return Error{Status::invalid_option,
                    "the cost from stop " + std::to_string(from) + " to stop " + std::to_string(to) +
-                       " is negative or NaN",
+                       (cost > kLargestCost ? " is larger than 1e150" : " is negative or NaN"),
                    "costs"};
     }
   }

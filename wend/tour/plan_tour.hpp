@@ -13,7 +13,7 @@
 // makes it as good as before. On 1,000 stops of a warehouse the order is within 1 % of the best after 50 kicks
 // a stop. The bound is that of Held and Karp: no order is cheaper.
 //
-// It is our own: LKH's licence allows research only, and OR-tools is not in Debian.
+// It is our own: LKH may not be used commercially, and OR-tools is not in Debian.
 
 #include <cstdint>
 #include <functional>
@@ -63,7 +63,7 @@ struct Tour {
 };
 
 /// The order. Fails with invalid_option for options that contradict each other or name stops that the matrix has
-/// not, or costs that are negative or NaN; with unreachable if no order was found whose legs all have a finite cost; with
+/// not, or costs that are negative, NaN or above 1e150; with unreachable if no order was found whose legs all have a finite cost; with
 /// time_limit or cancelled if there was no time for a first order. For up to some thousand stops: memory and the time
 /// for the first order are O(stops^2).
 WEND_API Expected<Tour, Error> plan_tour(const CostMatrix& costs, const TourOptions& options = {});
