@@ -151,9 +151,8 @@ std::string fuzz_stop_csv(std::string_view bytes) {
   }
   const auto stops = parse_stop_csv(bytes, kFuzzedFile);
   if (!stops) return check_error(stops.error());
-  const bool blank = std::ranges::any_of(*stops, [](const std::string& stop) {
-    return stop.find(',') == std::string::npos;
-  });
+  const bool blank = std::ranges::any_of(
+      *stops, [](const std::string& stop) { return stop.find(',') == std::string::npos; });
   return blank ? "a stop without a comma" : "";
 }
 

@@ -106,9 +106,8 @@ TEST(StopCosts, AreTheSameByFieldsByLabelsAndOnManyThreads) {
 TEST(StopCosts, NameTheStopsThatAreCutOff) {
   const GridMap map = test::drawn_map("..#..#.");
   Session session(map);
-  const auto found =
-      stop_costs(session, *session.view(),
-                 poses_of(map.frame(), {{0, 0}, {3, 0}, {1, 0}, {6, 0}, {0, 0}}));
+  const auto found = stop_costs(session, *session.view(),
+                                poses_of(map.frame(), {{0, 0}, {3, 0}, {1, 0}, {6, 0}, {0, 0}}));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->cut_off, (std::vector<int>{1, 3}));
   EXPECT_EQ(cut_off_text(*found),
