@@ -34,6 +34,9 @@
 #include "wend/robot/free_space.hpp"
 #include "wend/robot/nearest_passable.hpp"
 #include "wend/session/session.hpp"
+#include "wend/tour/plan_tour.hpp"
+#include "wend/tour/stop_costs.hpp"
+#include "wend/tour/tour_path.hpp"
 #include "wend/version.hpp"
 
 /// @namespace wend

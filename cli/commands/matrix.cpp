@@ -39,8 +39,10 @@ int run(const MatrixArguments& arguments) {
     }
   }
   arguments.output.write(
-      {{".csv", [&](const std::string& file) { return write_bytes(file, cost_matrix_csv(costs.costs)); }},
-       {".npy", [&](const std::string& file) { return write_bytes(file, cost_matrix_npy(costs.costs)); }},
+      {{".csv",
+        [&](const std::string& file) { return write_bytes(file, cost_matrix_csv(costs.costs)); }},
+       {".npy",
+        [&](const std::string& file) { return write_bytes(file, cost_matrix_npy(costs.costs)); }},
        {".json", [&](const std::string& file) { return write_bytes(file, json()); }}},
       arguments.format == Format::json ? ".json" : ".csv");
   if (costs.cut_off.empty()) return success;

@@ -164,8 +164,7 @@ Command add_tour(Parser& app) {
   tour.add_option("--start", arguments->start,
                   wrapped("Where the tour begins, as in `wend plan`; default: at any stop"))
       .type_name("X,Y[,HEADING]");
-  tour.add_option("--end", arguments->end,
-                  wrapped("Where the tour ends; default: at any stop"))
+  tour.add_option("--end", arguments->end, wrapped("Where the tour ends; default: at any stop"))
       .type_name("X,Y[,HEADING]");
   tour.add_flag("--closed", arguments->closed, wrapped("Return to where the tour begins"));
   tour.add_option("--before", arguments->before,
@@ -173,7 +172,7 @@ Command add_tour(Parser& app) {
                           "the stops, of which the first must be visited before the second"))
       .type_name(kFileType);
   add_number(tour, "--kicks", arguments->kicks, {0, kMostKicks},
-             "How often to try another order (default: 50 for each stop; with --limit-time until "
+             "How often to try another order (default: 20 for each stop; with --limit-time until "
              "then). The same number gives the same order");
   add_count(tour, "--order-seed", arguments->seed, "Seed of the search for an order (default 1)");
   tour.further({"--kicks", "--order-seed"});

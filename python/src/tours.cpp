@@ -112,8 +112,8 @@ nb::tuple tour(const Space& space, const nb::list& points, const std::string& pl
     points_m.insert(points_m.end(), {point.x, point.y});
   }
   const std::size_t count = points_m.size() / 2;
-  return nb::make_tuple(best.order, best.cost, best.bound, std::string(to_string(best.status)), legs,
-                        owned_array<double, 2>(std::move(points_m), {count, std::size_t{2}}));
+  return nb::make_tuple(best.order, best.cost, best.bound, std::string(to_string(best.status)),
+                        legs, owned_array<double, 2>(std::move(points_m), {count, std::size_t{2}}));
 }
 
 nb::tuple tour_of(const Space& space, const nb::list& points, const std::string& planner,

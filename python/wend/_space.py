@@ -431,7 +431,7 @@ class FreeSpace:
         :param end: the last stop of an open tour.
         :param before: pairs of stops, of which the first must be visited before the second.
         :param fixed: pairs of stops that must follow each other directly, in either order.
-        :param kicks: how often to try another order; None: 50 for each stop, or until `time_limit`.
+        :param kicks: how often to try another order; None: 20 for each stop, or until `time_limit`.
         :param time_limit: seconds for all.
         :raises ValueError: as ``cost_matrix()``, and if the demands contradict each other.
         :raises wend.Error: some stops cannot be reached from others; the message names them.

@@ -51,8 +51,8 @@ std::string cost_matrix_csv(const CostMatrix& costs) {
 std::string cost_matrix_npy(const CostMatrix& costs) {
   constexpr std::size_t kAlignment = 64;
   constexpr std::size_t kPreamble = 10;  // magic, version, length of the header
-  std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({0}, {0}), }}",
-                                   costs.size());
+  std::string header = fmt::format(
+      "{{'descr': '<f8', 'fortran_order': False, 'shape': ({0}, {0}), }}", costs.size());
   header.append(kAlignment - (kPreamble + header.size() + 1) % kAlignment, ' ');
   header += '\n';
   std::string bytes = "\x93NUMPY";
@@ -81,12 +81,9 @@ std::string cost_matrix_json(std::string_view planner, const StopCosts& costs,
 }
 
 std::string tour_json(const TourReport& report, const Frame& frame) {
-  Json json{{"planner", report.planner},
-            {"status", to_string(report.tour.status)},
-            {"closed", report.closed},
-            {"order", rows_of_stops(report)},
-            {"cost", report.tour.cost},
-            {"bound", report.tour.bound},
+  Json json{{"planner", report.planner}, {"status", to_string(report.tour.status)},
+            {"closed", report.closed},   {"order", rows_of_stops(report)},
+            {"cost", report.tour.cost},  {"bound", report.tour.bound},
             {"kicks", report.tour.kicks}};
   Json& legs = json["legs"] = Json::array();
   for (const TourLeg& leg : report.way.legs) legs.push_back(json_of(report, leg));
@@ -102,10 +99,12 @@ std::string tour_text(const TourReport& report) {
   const Tour& tour = report.tour;
   std::string text = "order     ";
   const auto rows = rows_of_stops(report);
-  for (std::size_t i = 0; i < rows.size(); ++i) text += fmt::format("{}{}", i == 0 ? "" : ",", rows[i]);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : ",", rows[i]);
   text += fmt::format("\ncost      {:.6g}\nbound     {:.6g}", tour.cost, tour.bound);
   if (tour.bound > 0) {
-    text += fmt::format("; the best order is at most {:.2f} % cheaper", 100 * (1 - tour.bound / tour.cost));
+    text += fmt::format("; the best order is at most {:.2f} % cheaper",
+                        100 * (1 - tour.bound / tour.cost));
   }
   text += fmt::format("\nlength    {:.6g} cells\n", report.way.path.length());
   if (tour.status != Status::found) {

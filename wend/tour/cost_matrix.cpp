@@ -3,7 +3,8 @@
 namespace wend {
 
 CostMatrix::CostMatrix(int stops, double cost)
-    : size_(stops), costs_(static_cast<std::size_t>(stops) * static_cast<std::size_t>(stops), cost) {
+    : size_(stops),
+      costs_(static_cast<std::size_t>(stops) * static_cast<std::size_t>(stops), cost) {
   for (int stop = 0; stop < stops; ++stop) set(stop, stop, 0);
 }
 

@@ -72,7 +72,8 @@ class ExactOrder {
     const bool leaves_the_ring = problem_.closed && last == problem_.first;
     if (!leaves_the_ring && (tied(last) & ~reached) != 0) return false;
     // Who is tied to the first stop of a closed tour may also come last.
-    const bool returns = problem_.closed && last != problem_.first && problem_.tied(next, problem_.first);
+    const bool returns =
+        problem_.closed && last != problem_.first && problem_.tied(next, problem_.first);
     return !returns || reached == all_;
   }
 

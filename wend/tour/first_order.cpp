@@ -10,9 +10,9 @@ namespace {
 /// Stops that must follow each other, in this order or in the reverse one.
 struct Chain {
   std::vector<int> stops;
-  bool forward = true;    // may it be passed so?
+  bool forward = true;  // may it be passed so?
   bool backward = true;
-  int waits = 0;          // pairs whose first stop, of another chain, has not been visited
+  int waits = 0;  // pairs whose first stop, of another chain, has not been visited
 };
 
 /// Who stands beside the first stop of a closed tour; kNone: anyone.

@@ -13,10 +13,12 @@
 namespace wend {
 namespace {
 
-constexpr int kLargestExponent = 36;  // of a cost: sums of 2^12 of them and their weights are exact doubles
-constexpr int kSparseDegree = 8;           // edges of a place that most trees are made of
+constexpr int kLargestExponent =
+    36;  // of a cost: sums of 2^12 of them and their weights are exact doubles
+constexpr int kSparseDegree = 8;       // edges of a place that most trees are made of
+constexpr double kLeastCost = 1e-150;  // of the largest one: else its fractions are no numbers
 constexpr int kTrees = 80;
-constexpr int kPatience = 8;         // trees without progress until steps are halved
+constexpr int kPatience = 8;  // trees without progress until steps are halved
 
 /// An edge of the sparse graph.
 struct Edge {
@@ -143,7 +145,9 @@ class OneTrees {
   double cost(int a, int b) const {
     return costs_[index(a) * static_cast<std::size_t>(places_) + index(b)];
   }
-  double weighted(int a, int b) const { return cost(a, b) + weights_[index(a)] + weights_[index(b)]; }
+  double weighted(int a, int b) const {
+    return cost(a, b) + weights_[index(a)] + weights_[index(b)];
+  }
 
   /// Half of what ways to each place cost more than those from there, on average, in whole units.
   static std::vector<double> slopes(const CostMatrix& costs, double unit) {
@@ -188,17 +192,20 @@ class OneTrees {
       for (int other = 0; other < places_; ++other) {
         if (other != place) others.push_back(other);
       }
-      const auto kept = std::min(static_cast<std::ptrdiff_t>(others.size()), std::ptrdiff_t{kSparseDegree});
+      const auto kept =
+          std::min(static_cast<std::ptrdiff_t>(others.size()), std::ptrdiff_t{kSparseDegree});
       std::ranges::partial_sort(others, others.begin() + kept, [&](int a, int b) {
         return std::pair(cost(place, a), a) < std::pair(cost(place, b), b);
       });
-      for (std::ptrdiff_t i = 0; i < kept; ++i) add_edge(place, others[static_cast<std::size_t>(i)]);
+      for (std::ptrdiff_t i = 0; i < kept; ++i)
+        add_edge(place, others[static_cast<std::size_t>(i)]);
     }
   }
 
   void add_edge(int a, int b) {
     const auto has = [&](int from, int to) {
-      return std::ranges::any_of(near_[index(from)], [to](const Edge& edge) { return edge.to == to; });
+      return std::ranges::any_of(near_[index(from)],
+                                 [to](const Edge& edge) { return edge.to == to; });
     };
     if (!has(a, b)) near_[index(a)].push_back({b, cost(a, b)});
     if (!has(b, a)) near_[index(b)].push_back({a, cost(a, b)});
@@ -245,7 +252,7 @@ double lower_bound(const OrderProblem& problem, double cost, const Deadline& dea
   for (const double way : problem.costs.values()) {
     if (way < CostMatrix::kNoWay) largest = std::max(largest, way);
   }
-  if (!(largest > 0)) return 0;
+  if (largest < kLeastCost) return 0;
   const double unit = std::ldexp(1.0, std::ilogb(largest) + 1 - kLargestExponent);
   OneTrees trees(problem, unit);
   double best = 0;

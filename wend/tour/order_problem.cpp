@@ -8,6 +8,8 @@
 namespace wend {
 namespace {
 
+constexpr double kLargestCost = 1e150;  // sums stay finite
+
 std::optional<Error> no_such_stop(int stop, int stops, const std::string& option) {
   if (stop >= 0 && stop < stops) return std::nullopt;
   return Error{Status::invalid_option,
@@ -17,13 +19,16 @@ std::optional<Error> no_such_stop(int stop, int stops, const std::string& option
 }
 
 std::optional<Error> fault_of(const CostMatrix& costs) {
-  if (costs.size() == 0) return Error{Status::invalid_option, "there are no stops to order", "stops"};
+  if (costs.size() == 0)
+    return Error{Status::invalid_option, "there are no stops to order", "stops"};
   for (int from = 0; from < costs.size(); ++from) {
     for (int to = 0; to < costs.size(); ++to) {
-      if (from == to || costs(from, to) >= 0) continue;
+      const double cost = costs(from, to);
+      if (from == to || cost == CostMatrix::kNoWay) continue;
+      if (cost >= 0 && cost <= kLargestCost) continue;
       return Error{Status::invalid_option,
                    "the cost from stop " + std::to_string(from) + " to stop " + std::to_string(to) +
-                       " is negative or NaN",
+                       (cost > kLargestCost ? " is larger than 1e150" : " is negative or NaN"),
                    "costs"};
     }
   }
@@ -55,7 +60,8 @@ std::optional<Error> fault_of_pairs(const std::vector<StopPair>& pairs, int stop
     }
     if (pair.first != pair.second) continue;
     return Error{Status::invalid_option,
-                 option + ": stop " + std::to_string(pair.first) + " is paired with itself", option};
+                 option + ": stop " + std::to_string(pair.first) + " is paired with itself",
+                 option};
   }
   return std::nullopt;
 }
@@ -73,8 +79,10 @@ CostMatrix with_extra_place(const CostMatrix& costs, const OrderProblem& problem
   for (int stop = 0; stop < stops; ++stop) {
     for (int to = 0; to < stops; ++to) extended.set(stop, to, costs(stop, to));
     if (stops == 1) continue;
-    const bool begins = problem.start == OrderProblem::kNone ? stop != problem.end : stop == problem.start;
-    const bool ends = problem.end == OrderProblem::kNone ? stop != problem.start : stop == problem.end;
+    const bool begins =
+        problem.start == OrderProblem::kNone ? stop != problem.end : stop == problem.start;
+    const bool ends =
+        problem.end == OrderProblem::kNone ? stop != problem.start : stop == problem.end;
     if (!begins) extended.set(stops, stop, CostMatrix::kNoWay);
     if (!ends) extended.set(stop, stops, CostMatrix::kNoWay);
   }
@@ -125,9 +133,10 @@ bool have_short_ring(const OrderProblem& problem) {
 
 Expected<void, Error> tie_all(OrderProblem& problem, const TourOptions& options) {
   const auto crowded = [](int stop) {
-    return failure(Status::invalid_option,
-                   "fixed: stop " + std::to_string(stop) + " cannot follow more than two others directly",
-                   "fixed");
+    return failure(
+        Status::invalid_option,
+        "fixed: stop " + std::to_string(stop) + " cannot follow more than two others directly",
+        "fixed");
   };
   for (const int end : {problem.start, problem.end}) {
     if (end != OrderProblem::kNone) tie(problem, problem.first, end);
@@ -182,7 +191,9 @@ bool obeys(const OrderProblem& problem, const std::vector<int>& order) {
   if (problem.start != OrderProblem::kNone && order.front() != problem.start) return false;
   if (problem.end != OrderProblem::kNone && order.back() != problem.end) return false;
   const auto rank_of = [&](int stop) { return rank[static_cast<std::size_t>(stop)]; };
-  const auto late = [&](const StopPair& pair) { return rank_of(pair.first) > rank_of(pair.second); };
+  const auto late = [&](const StopPair& pair) {
+    return rank_of(pair.first) > rank_of(pair.second);
+  };
   if (std::ranges::any_of(problem.before, late)) return false;
   for (int stop = 0; stop < problem.stops; ++stop) {
     for (const int other : problem.ties[static_cast<std::size_t>(stop)]) {

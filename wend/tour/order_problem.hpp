@@ -21,9 +21,9 @@ struct OrderProblem {
   CostMatrix costs;                      // between places
   std::vector<std::array<int, 2>> ties;  // of each place: whom it must stand beside; kNone
   std::vector<StopPair> before;
-  int stops = 0;     // places 0 to stops - 1
-  int first = 0;     // the place that an order begins with: the extra place, or the start
-  int start = kNone; // of an open tour
+  int stops = 0;      // places 0 to stops - 1
+  int first = 0;      // the place that an order begins with: the extra place, or the start
+  int start = kNone;  // of an open tour
   int end = kNone;
   bool closed = false;
   bool symmetric = false;

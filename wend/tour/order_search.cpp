@@ -11,9 +11,10 @@
 namespace wend {
 namespace {
 
-constexpr int kDeepest = 3;                               // edges of a change
-constexpr std::array<int, kDeepest> kBreadth = {0, 5, 3};  // neighbours tried for the edge of each depth
-constexpr int kNearest = 5;
+constexpr int kDeepest = 3;  // edges of a change
+constexpr std::array<int, kDeepest> kBreadth = {0, 7,
+                                                5};  // neighbours tried for the edge of each depth
+constexpr int kNearest = 7;
 constexpr int kLongestPiece = 30;  // that a kick moves
 
 using Sum = std::int64_t;
@@ -94,7 +95,9 @@ class Ring {
   }
 
  private:
-  static const Piece& at(const Pieces& pieces, int i) { return pieces[static_cast<std::size_t>(i)]; }
+  static const Piece& at(const Pieces& pieces, int i) {
+    return pieces[static_cast<std::size_t>(i)];
+  }
 
   int length(const Piece& piece) const {
     const int steps = piece.last - piece.first;
@@ -153,7 +156,8 @@ int pieces_after(const Ring& ring, const Change& change, Pieces& pieces) {
   std::array<int, 2 * kDeepest> node_at = {};
   for (int rank = 0; rank < edges; ++rank) {
     const int edge = edge_at[static_cast<std::size_t>(rank)];
-    const bool first_begins = ring.position(node(2 * edge)) == begins[static_cast<std::size_t>(rank)];
+    const bool first_begins =
+        ring.position(node(2 * edge)) == begins[static_cast<std::size_t>(rank)];
     const int begin = first_begins ? 2 * edge : 2 * edge + 1;
     end_of[static_cast<std::size_t>(begin)] = 2 * rank;
     end_of[static_cast<std::size_t>(begin ^ 1)] = 2 * rank + 1;
@@ -175,8 +179,9 @@ int pieces_after(const Ring& ring, const Change& change, Pieces& pieces) {
   do {
     const bool reversed = (at & 1) == 0;
     const int across = reversed ? (at == 0 ? ends - 1 : at - 1) : (at + 1 == ends ? 0 : at + 1);
-    pieces[static_cast<std::size_t>(count)] =
-        reversed ? Piece{position(across), position(at), true} : Piece{position(at), position(across), false};
+    pieces[static_cast<std::size_t>(count)] = reversed
+                                                  ? Piece{position(across), position(at), true}
+                                                  : Piece{position(at), position(across), false};
     ++count;
     at = joined(across);
   } while (at != 1 && count < edges);
@@ -210,7 +215,10 @@ template <class Costs>
 class Search final : public OrderSearch {
  public:
   Search(const OrderProblem& problem, const std::vector<int>& order, std::uint64_t seed)
-      : problem_(problem), cost_(problem), ring_(nodes_of(problem, order)), work_(ring_.size()),
+      : problem_(problem),
+        cost_(problem),
+        ring_(nodes_of(problem, order)),
+        work_(ring_.size()),
         random_(seed) {
     list_nearest();
   }
@@ -251,7 +259,8 @@ class Search final : public OrderSearch {
   static std::vector<int> nodes_of(const OrderProblem& problem, const std::vector<int>& order) {
     std::vector<int> nodes;
     const auto add = [&](int place) {
-      for (int i = 0; i < Costs::kNodesOfPlace; ++i) nodes.push_back(place * Costs::kNodesOfPlace + i);
+      for (int i = 0; i < Costs::kNodesOfPlace; ++i)
+        nodes.push_back(place * Costs::kNodesOfPlace + i);
     };
     if (!problem.closed) add(problem.first);
     for (const int stop : order) add(stop);
@@ -266,14 +275,16 @@ class Search final : public OrderSearch {
       all.clear();
       for (int other = 0; other < size; ++other) {
         const WholeCost cost = cost_(node, other);
-        if (other != node && cost < kNoWholeCost && !Costs::inseparable(cost)) all.push_back({other, cost});
+        if (other != node && cost < kNoWholeCost && !Costs::inseparable(cost))
+          all.push_back({other, cost});
       }
       const auto kept = std::min(all.size(), std::size_t{kNearest});
       std::ranges::partial_sort(all, all.begin() + static_cast<std::ptrdiff_t>(kept),
                                 [](const Near& a, const Near& b) {
                                   return std::pair(a.cost, a.node) < std::pair(b.cost, b.node);
                                 });
-      near_[static_cast<std::size_t>(node)].assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept));
+      near_[static_cast<std::size_t>(node)].assign(all.begin(),
+                                                   all.begin() + static_cast<std::ptrdiff_t>(kept));
     }
   }
 
@@ -372,7 +383,9 @@ class Search final : public OrderSearch {
   bool reads(bool forward) const {
     const int size = ring_.size();
     const int first = problem_.first * Costs::kNodesOfPlace;
-    const auto beside = [&](bool ahead) { return ahead ? ring_.next(first) : ring_.previous(first); };
+    const auto beside = [&](bool ahead) {
+      return ahead ? ring_.next(first) : ring_.previous(first);
+    };
     if constexpr (Costs::kNodesOfPlace == 2) {
       if (beside(forward) != first + 1) return false;
     } else {
@@ -405,8 +418,9 @@ class Search final : public OrderSearch {
     }
     if (used >= size) return kNotDisturbed;
     const auto behind = [&](int cut) { return ring_.wrapped(cut + 1); };
-    const Pieces pieces = {Piece{behind(cuts[3]), cuts[0], false}, Piece{behind(cuts[2]), cuts[3], false},
-                           Piece{behind(cuts[1]), cuts[2], false}, Piece{behind(cuts[0]), cuts[1], false}};
+    const Pieces pieces = {
+        Piece{behind(cuts[3]), cuts[0], false}, Piece{behind(cuts[2]), cuts[3], false},
+        Piece{behind(cuts[1]), cuts[2], false}, Piece{behind(cuts[0]), cuts[1], false}};
     std::array<int, 8> ends = {};
     Sum paid = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -424,7 +438,9 @@ class Search final : public OrderSearch {
   }
 
   /// The cost of the edge that begins at a position.
-  WholeCost edge_at(int at) const { return cost_(ring_.node(at), ring_.node(ring_.wrapped(at + 1))); }
+  WholeCost edge_at(int at) const {
+    return cost_(ring_.node(at), ring_.node(ring_.wrapped(at + 1)));
+  }
 
   const OrderProblem& problem_;
   Costs cost_;

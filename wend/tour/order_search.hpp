@@ -22,7 +22,7 @@ class OrderSearch {
  public:
   virtual ~OrderSearch() = default;
 
-  /// Looks for changes everywhere, until none pays. 
+  /// Looks for changes everywhere, until none pays.
   virtual void settle() = 0;
   /// One kick; is the tour shorter than before?
   virtual bool kick() = 0;

@@ -14,7 +14,7 @@
 namespace wend {
 namespace {
 
-constexpr std::uint64_t kKicksOfStop = 50;
+constexpr std::uint64_t kKicksOfStop = 20;
 constexpr std::uint64_t kKicksBetweenClockReads = 16;
 
 Unexpected<Error> contradicting() {
@@ -71,9 +71,9 @@ class TourSearch {
 
   void kick(OrderSearch& search) {
     const bool timed = options_.limits.seconds < std::numeric_limits<double>::infinity();
-    const std::uint64_t most = options_.kicks.value_or(
-        timed ? std::numeric_limits<std::uint64_t>::max()
-              : kKicksOfStop * static_cast<std::uint64_t>(problem_.stops));
+    const std::uint64_t most =
+        options_.kicks.value_or(timed ? std::numeric_limits<std::uint64_t>::max()
+                                      : kKicksOfStop * static_cast<std::uint64_t>(problem_.stops));
     bool improved = false;
     for (; tour_.kicks < most; ++tour_.kicks) {
       if (tour_.kicks % kKicksBetweenClockReads == 0 && deadline_.passed()) {

@@ -252,6 +252,20 @@ TEST(PlanTour, RefusesCostsThatAreNone) {
   }
 }
 
+TEST(PlanTour, RefusesOrOrdersAbsurdCosts) {
+  for (const double absurd : {1e300, 1.7e308, 1e149, 5e-324, 1e-200}) {
+    for (const int stops : {5, 20}) {
+      CostMatrix costs(stops, absurd);
+      const auto tour = plan_tour(costs, {.closed = true});
+      ASSERT_EQ(tour.has_value(), absurd <= 1e150);
+      if (!tour) continue;
+      EXPECT_TRUE(std::isfinite(tour->cost));
+      EXPECT_GE(tour->bound, 0);
+      EXPECT_LE(tour->bound, tour->cost);
+    }
+  }
+}
+
 TEST(PlanTour, OfOneStopOrEqualStopsCostsNothing) {
   EXPECT_EQ(plan_tour(CostMatrix(1))->order, std::vector<int>{0});
   EXPECT_EQ(plan_tour(CostMatrix(1), {.closed = true, .start = 0})->cost, 0);

@@ -31,7 +31,8 @@ struct StopCostOptions {
   PlannerSpec planner{"astar"};  // its costs, as Plan::cost has them
   Limits limits = {};            // `seconds`, `clock` and `cancel` of the whole call
   Workers* workers = nullptr;    // not owned; null: one thread
-  std::vector<std::string> names = {};  // what messages call the stops; those without a name are "stop 3"
+  std::vector<std::string> names =
+      {};  // what messages call the stops; those without a name are "stop 3"
 };
 
 /// Costs between stops, and the stops that spoil a tour of all.

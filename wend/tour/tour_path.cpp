@@ -63,8 +63,9 @@ Expected<TourPath, Error> tour_path(Session& session, const Session::View& view,
     const Status status = (*planner)->plan(query, plan);
     if (status != Status::found) {
       const std::string where = "leg " + std::to_string(i);
-      return failure(status, where + ", from stop " + std::to_string(from) + " to stop " +
-                                 std::to_string(to) + ": " + std::string(describe(status)),
+      return failure(status,
+                     where + ", from stop " + std::to_string(from) + " to stop " +
+                         std::to_string(to) + ": " + std::string(describe(status)),
                      where);
     }
     const std::size_t first = joined.size() == 0 ? 0 : joined.size() - 1;

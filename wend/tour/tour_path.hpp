@@ -22,7 +22,8 @@ struct TourLeg {
   int from;  // rows of the stops
   int to;
   double cost;
-  std::size_t first;  // its cells, waypoints or poses in the path, inclusive; the next leg begins where it ends
+  std::size_t
+      first;  // its cells, waypoints or poses in the path, inclusive; the next leg begins where it ends
   std::size_t last;
 };
 

@@ -40,8 +40,9 @@ class StopTable {
   }
 
   Error without_columns(const std::string& columns) const {
-    return file_error(file_, 1, fmt::format("the first line must name the columns {}, not {}", columns,
-                                            quote(fmt::format("{}", fmt::join(names_, ",")))));
+    return file_error(file_, 1,
+                      fmt::format("the first line must name the columns {}, not {}", columns,
+                                  quote(fmt::format("{}", fmt::join(names_, ",")))));
   }
 
   /// The fields of the next row that is not blank; nothing at the end.
