@@ -44,6 +44,8 @@ class PlannerInfo(NamedTuple):
     """When to choose it."""
     terrain: bool
     """Does it take the costs of cells into account?"""
+    directions: bool
+    """Does it plan on maps with arrows or slopes? Else it refuses them."""
     any_angle: bool
     """Are its paths lines at any angle, not steps between neighbours?"""
     headings: bool

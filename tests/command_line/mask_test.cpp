@@ -87,8 +87,7 @@ TEST_F(Masks, OfOneWayZonesAreNamedWhereTheyAreTheReason) {
     words.insert(words.end(), ends.begin(), ends.end());
     const Outcome outcome = wend(words);
     EXPECT_EQ(outcome.code, 1) << command;
-    EXPECT_THAT(outcome.out + outcome.err,
-                HasSubstr("against the arrow at (1.25,0.75)"));
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("against the arrow at (1.25,0.75)"));
   }
 }
 
