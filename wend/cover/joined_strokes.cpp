@@ -6,6 +6,7 @@
 
 #include "wend/path/smoothing/simplification.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
 namespace {
@@ -71,9 +72,10 @@ class Joiner {
     return taut->points();
   }
 
+  /// The corners of a way may lie on the border of a cell in whose middle the robot does not fit.
   bool is_free(const Stroke& way) const {
     for (std::size_t i = 1; i < way.size(); ++i) {
-      if (!area_.free_along(way[i - 1], way[i])) return false;
+      if (!disc_fits_along(area_.space(), Line{way[i - 1], way[i]})) return false;
     }
     return true;
   }
