@@ -15,7 +15,7 @@ int main() {
       "####################\n",
       "room.txt");
   if (!map) return std::puts(map.error().message.c_str()), 2;
-  const auto space = wend::make_free_space(map->map, {.footprint = wend::Footprint::disc(1)});
+  const auto space = wend::make_free_space(map->map, {.footprint = wend::Footprint::disc(0.5)});
   if (!space) return std::puts(space.error().message.c_str()), 2;
   const auto coverage =
       wend::plan_coverage(*space, {.tool_width = 2, .start = wend::Point{1.5, 1.5}});

@@ -576,8 +576,9 @@ typedef struct wend_coverage_options {
 WEND_C_API wend_status wend_coverage_options_init(wend_coverage_options* options,
                                                   size_t struct_size);
 
-/// Plans a coverage. Fails with WEND_INVALID_ARGUMENT, WEND_START_OUTSIDE, WEND_START_BLOCKED, WEND_GOAL_OUTSIDE or
-/// WEND_GOAL_BLOCKED (the end), WEND_UNREACHABLE, WEND_TIME_LIMIT or WEND_CANCELLED. Free it with wend_coverage_free().
+/// Plans a coverage. Fails with WEND_INVALID_ARGUMENT, WEND_INVALID_OPTION (a number out of range),
+/// WEND_START_OUTSIDE, WEND_START_BLOCKED, WEND_GOAL_OUTSIDE or WEND_GOAL_BLOCKED (the end), WEND_UNREACHABLE,
+/// WEND_MEMORY_LIMIT, WEND_TIME_LIMIT or WEND_CANCELLED. Free it with wend_coverage_free().
 WEND_C_API wend_status wend_session_cover(wend_session* session,
                                           const wend_coverage_options* options,
                                           wend_coverage** coverage, wend_error* error);

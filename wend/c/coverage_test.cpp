@@ -82,7 +82,7 @@ TEST(CCoverage, RefusesWrongArguments) {
   EXPECT_EQ(status_of(&options), WEND_INVALID_ARGUMENT);
   for (const double width : {0.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     options = coverage_options(width);
-    EXPECT_EQ(status_of(&options), WEND_INVALID_ARGUMENT);
+    EXPECT_EQ(status_of(&options), WEND_INVALID_OPTION);
   }
   options = coverage_options(3);
   const std::uint8_t byte = 1;

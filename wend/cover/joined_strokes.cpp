@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "wend/path/smoothing/simplification.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
 namespace {
@@ -38,24 +40,44 @@ class Joiner {
   Stroke take() { return std::move(path_); }
 
  private:
+  /// A line to an end that is not in the middle of a cell may touch an obstacle that the planner, which knows cells,
+  /// does not see. Then the way leads over the middles of the cells of both ends.
   Expected<void, Error> add_way(Point from, Point to) {
-    Query query{{from.x, from.y, 0}, {Goal(to)}};
+    const Query direct{{from.x, from.y, 0}, {Goal(to)}};
+    const Query over_middles = Query::between(cell_at(from), cell_at(to));
+    for (const Query& query : {direct, over_middles}) {
+      auto way = way_of(query);
+      if (!way) return Unexpected<Error>(std::move(way.error()));
+      way->insert(way->begin(), from);
+      way->push_back(to);
+      if (!is_free(*way)) continue;
+      for (const Point point : *way) {
+        if (path_.back() != point) path_.push_back(point);
+      }
+      return {};
+    }
+    return failure(Status::unreachable, "no free way between two strokes of a coverage");
+  }
+
+  Expected<Stroke, Error> way_of(Query query) {
     query.limits = deadline_.left();
     const Status status = planner_->plan(query, plan_);
     if (status != Status::found) {
       return failure(status,
                      "no way between two strokes of a coverage: " + std::string(describe(status)));
     }
-    Path way = plan_.path;
-    if (!way.cells().empty()) {
-      const auto taut = string_pulled(way, area_.space(), Adjacency::edges, deadline_);
-      if (!taut) return Unexpected<Error>(taut.error());
-      way = *taut;
+    if (plan_.path.cells().empty()) return plan_.path.points();
+    const auto taut = string_pulled(plan_.path, area_.space(), Adjacency::edges, deadline_);
+    if (!taut) return Unexpected<Error>(taut.error());
+    return taut->points();
+  }
+
+  /// The corners of a way may lie on the border of a cell in whose middle the robot does not fit.
+  bool is_free(const Stroke& way) const {
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      if (!disc_fits_along(area_.space(), Line{way[i - 1], way[i]})) return false;
     }
-    for (const Point point : way.points()) {
-      if (path_.back() != point) path_.push_back(point);
-    }
-    return {};
+    return true;
   }
 
   const CoverageArea& area_;
@@ -78,7 +100,11 @@ Expected<Stroke, Error> joined(const CoverageArea& area, std::span<const Stroke>
     if (const auto there = joiner.go_to(*start); !there) return Unexpected<Error>(there.error());
   }
   for (const Stroke& stroke : strokes) {
-    if (const auto there = joiner.drive(stroke); !there) return Unexpected<Error>(there.error());
+    const auto there = joiner.drive(stroke);
+    // What cannot be reached along free lines, by a hair's breadth, is left out.
+    if (!there && there.error().status != Status::unreachable) {
+      return Unexpected<Error>(there.error());
+    }
   }
   if (end) {
     if (const auto there = joiner.go_to(*end); !there) return Unexpected<Error>(there.error());

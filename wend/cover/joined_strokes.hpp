@@ -12,7 +12,8 @@
 
 namespace wend {
 
-/// The waypoints, from the start and to the end if they are given. Fails with the status of a search that found no way,
+/// The waypoints, from the start and to the end if they are given. A stroke to which no free lines lead, by a hair's
+/// breadth, is left out. Fails with the status of a search that found no way,
 /// or with time_limit or cancelled.
 Expected<Stroke, Error> joined(const CoverageArea& area, std::span<const Stroke> strokes,
                                std::optional<Point> start, std::optional<Point> end,

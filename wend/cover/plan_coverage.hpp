@@ -44,8 +44,8 @@ struct CoverageOptions {
       {};                // what turning around costs, as a length; unset: the tool's width
   double share = 0.999;  // of what the tool can reach: as much is covered; above 0, at most 1
   std::optional<Point> start =
-      {};                         // where the path begins, or the middle of its cell; unset: anywhere in the largest component
-  std::optional<Point> end = {};  // where it ends; unset: anywhere
+      {};  // where the path begins, or the middle of its cell; unset: anywhere in the largest component
+  std::optional<Point> end = {};        // where it ends; unset: anywhere
   std::optional<BitGrid> area = {};     // the cells to cover, as large as the map; unset: all
   std::optional<BitGrid> covered = {};  // cells that are covered already, as large as the map
   std::uint64_t seed = 1;               // of the search for the order

@@ -152,7 +152,11 @@ TEST(PlanCoverage, CoversWhatItSaysWithoutCollisions) {
     const FreeSpace space = space_of(map, radius);
     const Cell start{random.between(0, map.width() - 1), random.between(0, map.height() - 1)};
     if (!space.passable(start)) continue;
-    CoverageOptions options{.tool_width = 2 * std::max(1.0, radius)};
+    // As wide as the robot, narrower or wider.
+    CoverageOptions options{.tool_width = random.chance(0.5) ? 2 * std::max(1.0, radius)
+                                                             : 2 + 6 * random.uniform()};
+    if (random.chance(0.3)) options.overlap = 0.5 * random.uniform() * options.tool_width;
+    if (random.chance(0.3)) options.angle = kPi * random.uniform();
     options.start = centre_of(start);
     options.share = random.chance(0.5) ? 1 : 0.97;
     const auto coverage = plan_coverage(space, options);

@@ -67,7 +67,6 @@ std::vector<Stroke> pruned(const CoverageArea& area, std::vector<Stroke> strokes
   }
   std::ranges::stable_sort(candidates, {}, &Candidate::worth);
   for (const Candidate& candidate : candidates) {
-    if (candidate.worth * 4 > area.tool_width()) break;
     Stroke& stroke = strokes[candidate.stroke];
     const std::size_t own = counts.own(stroke);
     if (own > may_stay) continue;
