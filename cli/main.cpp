@@ -52,9 +52,7 @@ constexpr std::array kCommands{
     NamedCommand{"compare", add_compare},   NamedCommand{"explain", add_explain},
     NamedCommand{"view", add_view},         NamedCommand{"info", add_info},
     NamedCommand{"generate", add_generate}, NamedCommand{"convert", add_convert},
-    NamedCommand{"matrix", add_matrix},     NamedCommand{"tour", add_tour},
-    NamedCommand{"cover", add_cover},       NamedCommand{"index", add_index},
-    NamedCommand{"planners", add_planners}};
+    NamedCommand{"index", add_index},       NamedCommand{"planners", add_planners}};
 
 /// The command that the first word names, alone: to add the flags of all takes longer than most of them run. All
 /// commands if it names none, but for --version, which needs none.

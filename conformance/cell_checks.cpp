@@ -10,7 +10,6 @@
 
 #include "conformance/answer.hpp"
 #include "conformance/checks.hpp"
-#include "conformance/random_directions.hpp"
 #include "wend/base/random.hpp"
 
 namespace wend::test {
@@ -20,8 +19,7 @@ constexpr double kRelative = 1e-9;
 
 /// What an optimal cost may exceed the optimum by, relative to it.
 double slack_on(const FreeSpace& space) {
-  const bool plain = space.uniform_terrain() && space.directions() == nullptr;
-  return plain ? kRelative : kRelativeOfCosts;
+  return space.uniform_terrain() ? kRelative : kRelativeOfCosts;
 }
 constexpr std::uint64_t kFewMaps = 100;  // on fewer, chance decides how many paths there are
 
@@ -158,29 +156,12 @@ void hold_to_the_truth(Examination& examination, Planner& planner, const Referen
   const Truth truth = truth_of(reference, map, query);
   if (answer.status != Status::found) return hold_to_its_failure(examination, answer, truth);
   examination.count_found();
-  // A line may pass a corner where the steps around it lead against arrows.
-  const bool may_pass_corners =
-      map.directions() != nullptr && examination.info().capabilities.any_angle &&
-      std::ranges::find(truth.failures, Status::unreachable) != truth.failures.end();
-  if (!truth.failures.empty() && !may_pass_corners) {
+  if (!truth.failures.empty()) {
     return examination.violate(std::string(to_string(truth.failures.front())), text_of(answer));
   }
   hold_to_its_path(examination, answer.plan, reference, map, query);
   hold_to_its_guarantee(examination, answer.plan, truth, slack_on(planner.free_space()));
   hold_to_the_shortest(examination, answer.plan, reference, map, query);
-}
-
-/// Some random queries of a trial.
-void hold_to_the_reference(Examination& examination, const Trial& trial, std::uint64_t seed) {
-  examination.on(trial, seed);
-  const auto planner = examination.planner_for(trial);
-  if (planner == nullptr) return;
-  const Reference reference = reference_for(trial, examination.info());
-  Random random(seed);
-  for (int i = 0; i < 4; ++i) {
-    hold_to_the_truth(examination, *planner, reference, trial.map,
-                      random_test_query(random, trial.map));
-  }
 }
 
 /// The map with its rows in the opposite order.
@@ -206,15 +187,17 @@ void use_no_order_of_the_page(OptionValues& options) {
 
 }  // namespace
 
-void examine_directed_answers(Examination& examination, std::uint64_t seed) {
-  Trial trial = examination.random_trial(seed);
-  Random random(seed);
-  trial.map = with_random_directions(random, std::move(trial.map));
-  hold_to_the_reference(examination, trial, seed);
-}
-
 void examine_cell_answers(Examination& examination, std::uint64_t seed) {
-  hold_to_the_reference(examination, examination.random_trial(seed), seed);
+  const Trial trial = examination.random_trial(seed);
+  examination.on(trial, seed);
+  const auto planner = examination.planner_for(trial);
+  if (planner == nullptr) return;
+  const Reference reference = reference_for(trial, examination.info());
+  Random random(seed);
+  for (int i = 0; i < 4; ++i) {
+    hold_to_the_truth(examination, *planner, reference, trial.map,
+                      random_test_query(random, trial.map));
+  }
 }
 
 void conclude_answers(Examination& examination) {

@@ -11,7 +11,6 @@ namespace wend::test {
 
 // cell_checks.cpp: against the reference.
 void examine_cell_answers(Examination& examination, std::uint64_t seed);
-void examine_directed_answers(Examination& examination, std::uint64_t seed);
 void examine_nine_cells(Examination& examination, std::uint64_t bits);
 void examine_mirrored(Examination& examination, std::uint64_t seed);
 void examine_y_up(Examination& examination, std::uint64_t seed);
@@ -36,7 +35,6 @@ void examine_stepped(Examination& examination, std::uint64_t seed);
 void examine_status(Examination& examination, std::uint64_t seed);
 void examine_limits(Examination& examination, std::uint64_t seed);
 void examine_terrain(Examination& examination, std::uint64_t seed);
-void examine_directions(Examination& examination, std::uint64_t seed);
 
 /// What a failure must not leave in a plan; empty if nothing is wrong.
 std::string leftover_of(const Plan& plan);

@@ -9,7 +9,6 @@
 
 #include "conformance/answer.hpp"
 #include "conformance/checks.hpp"
-#include "wend/map/direction_map.hpp"
 
 namespace wend::test {
 namespace {
@@ -135,27 +134,6 @@ void examine_limits(Examination& examination, std::uint64_t seed) {
                            unlimited.plan.metrics.expanded);
   }
   expect_clock_and_cancel(examination, *planner, query);
-}
-
-/// On an open map whose rows lead to the right.
-void examine_directions(Examination& examination, std::uint64_t seed) {
-  const Trial trial = walled_trial(examination, 8, 8, 8);
-  examination.on(trial, seed);
-  const auto planner = examination.planner_for(trial);
-  if (planner == nullptr) return;
-  const bool takes = examination.info().capabilities.directions;
-  const FreeSpace directed =
-      *make_free_space(*with_arrows(trial.map, Grid<double>(8, 8, 0.0)), trial.robot);
-  const auto made = examination.info().make(directed, trial.options);
-  const bool updated = planner->update(directed).has_value();
-  for (const bool done : {made.has_value(), updated}) {
-    if (done == takes) continue;
-    examination.violate(takes ? "a planner for a map with directions" : "unsupported_map",
-                        takes ? "a refusal" : "a planner that does not declare to know them");
-  }
-  if (!made && made.error().status != Status::unsupported_map) {
-    examination.violate("unsupported_map", std::string(to_string(made.error().status)));
-  }
 }
 
 void examine_terrain(Examination& examination, std::uint64_t seed) {

@@ -1,8 +1,8 @@
 #pragma once
 
 // Reference: what the rules of a grid say, by brute force, to check planners against. It shares no
-// code with what it checks: of wend it reads the states, the terrain and the rules of directions of a GridMap, and the
-// options of a robot.
+// code with what it checks: of wend it reads the states and terrain of a GridMap, and the options of
+// a robot.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "conformance/visibility.hpp"
-#include "wend/map/direction_map.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend::test {
@@ -103,27 +102,9 @@ class Reference {
                        [&](const Edge& edge) { return edge.to == number(to); });
   }
 
-  /// Length times the mean of the two multipliers in this direction; infinite against an arrow that forbids it.
+  /// Length times the mean of the two terrain multipliers.
   double step_cost(Cell from, Cell to) const {
-    const double heading = std::atan2(to.y - from.y, to.x - from.x);
-    return std::hypot(from.x - to.x, from.y - to.y) *
-           (towards(from, terrain(from), heading) + towards(to, terrain(to), heading)) / 2;
-  }
-
-  /// The multiplier of a cell times what its arrows and slopes say of a heading, rounded to 1/256 each time.
-  double towards(Cell cell, double multiplier, double heading) const {
-    if (map_.directions() == nullptr) return multiplier;
-    double factor = 1;
-    for (const Arrow& arrow : map_.directions()->rule(cell).arrows) {
-      const double turn = std::fmod(std::abs(heading - arrow.heading), 2 * std::acos(-1.0));
-      const double away = std::min(turn, 2 * std::acos(-1.0) - turn);
-      if (away > arrow.tolerance + 1e-9) factor *= arrow.against;
-    }
-    for (const Slope& slope : map_.directions()->rule(cell).slopes) {
-      const double rise = slope.rise_x * std::cos(heading) + slope.rise_y * std::sin(heading);
-      factor *= 1 + (rise > 0 ? slope.climb : slope.descend) * std::abs(rise);
-    }
-    return std::floor(multiplier * std::floor(factor * 256 + 0.5) + 0.5) / 256;
+    return std::hypot(from.x - to.x, from.y - to.y) * (terrain(from) + terrain(to)) / 2;
   }
 
   /// The map's multiplier, and more where the robot keeps away from an obstacle, as it is stored.
@@ -141,8 +122,7 @@ class Reference {
 
   /// The integral of the multipliers along the line between two centres: cut at all borders, piece by piece.
   double line_cost(Cell from, Cell to) const {
-    if (uniform() && map_.directions() == nullptr) return std::hypot(from.x - to.x, from.y - to.y);
-    const double heading = std::atan2(to.y - from.y, to.x - from.x);
+    if (uniform()) return std::hypot(from.x - to.x, from.y - to.y);
     std::vector<double> cuts{0, 1};
     for (const auto& [begin, end] : {std::pair{from.x, to.x}, std::pair{from.y, to.y}}) {
       for (int border = std::min(begin, end) + 1; border <= std::max(begin, end); ++border) {
@@ -156,9 +136,7 @@ class Reference {
       const Cell cell{static_cast<int>(std::floor(from.x + 0.5 + middle * (to.x - from.x))),
                       static_cast<int>(std::floor(from.y + 0.5 + middle * (to.y - from.y)))};
       const bool squeezed = robot_.clearance_distance > 0 && !passable(cell);
-      if (cuts[i] - cuts[i - 1] < 1e-9) continue;
-      const double here = terrain(cell) * (squeezed ? 1 + robot_.clearance_cost : 1);
-      mean += (cuts[i] - cuts[i - 1]) * towards(cell, here, heading);
+      mean += (cuts[i] - cuts[i - 1]) * terrain(cell) * (squeezed ? 1 + robot_.clearance_cost : 1);
     }
     return std::hypot(from.x - to.x, from.y - to.y) * mean;
   }
@@ -177,8 +155,7 @@ class Reference {
 
   /// What is wrong with a path whose cells are joined by lines; empty if nothing is.
   std::string any_angle_fault(std::span<const Cell> path, Cell from, Cell to) const {
-    return fault(path, from, to, "line",
-                 [&](Cell a, Cell b) { return is_free_line(a, b) && line_cost(a, b) < kInfinite; });
+    return fault(path, from, to, "line", [&](Cell a, Cell b) { return is_free_line(a, b); });
   }
 
   /// The same for waypoints. A point is held to the rules of Visibility, a disc keeps its distance.
@@ -375,8 +352,7 @@ class Reference {
       for (int dx = -1; dx <= 1; ++dx) {
         const Cell to{from.x + dx, from.y + dy};
         if (to == from || !step_allowed(from, to)) continue;
-        const double cost = step_cost(from, to);
-        if (cost < kInfinite) edges_[number(from)].push_back({number(to), cost});
+        edges_[number(from)].push_back({number(to), step_cost(from, to)});
       }
     }
   }

@@ -30,11 +30,6 @@ std::string plans_only_on_flat_maps(const PlannerInfo& info) {
   return info.capabilities.terrain ? "it plans on terrain" : "";
 }
 
-std::string directed_on_cells(const PlannerInfo& info) {
-  const bool applies = info.capabilities.directions && !info.capabilities.headings;
-  return applies ? "" : "for planners on cells that plan with directions";
-}
-
 std::uint64_t first_seed(const ConformanceCheck& check, const SuiteOptions& options) {
   return check.one_in == 0 ? 0 : options.seed;
 }
@@ -53,8 +48,6 @@ std::vector<ConformanceCheck> make_checks() {
        examine_cell_answers, conclude_answers},
       {"nine_cells", "the same on all 512 maps of nine cells", 0, 512, on_cells, examine_nine_cells,
        nullptr},
-      {"directed", "the same on maps with one-way zones and slopes", 1, 0, directed_on_cells,
-       examine_directed_answers, nullptr},
       {"poses", "paths are free and end where they claim; failures are empty", 1, 0, with_headings,
        examine_pose_answers, conclude_answers},
       {"start_is_goal", "a start that is the goal is a path of one cell", 12, 0, on_cells,
@@ -66,8 +59,6 @@ std::vector<ConformanceCheck> make_checks() {
        nullptr},
       {"terrain", "refuses terrain when updated, as when made", 0, 1, plans_only_on_flat_maps,
        examine_terrain, nullptr},
-      {"directions", "plans with directions, or refuses them, as it declares", 0, 1, always,
-       examine_directions, nullptr},
       {"reused", "a reused planner answers like a new one", 100, 0, always, examine_reused,
        nullptr},
       {"updated", "an updated planner answers like a new one", 150, 0, always, examine_updated,

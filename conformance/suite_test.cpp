@@ -69,9 +69,7 @@ PlannerInfo faulty_info(const std::string& declared, const std::string& good, co
   info.make = [good, fault](const FreeSpace& space, const OptionValues& options) -> PlannerResult {
     auto made = make_planner(good, space, options);
     if (!made) return Unexpected<Error>(made.error());
-    auto faulty = std::make_unique<FaultyPlanner>(*std::move(made), fault);
-    faulty->set_plans_directions(planners().find(good)->capabilities.directions);
-    return faulty;
+    return std::make_unique<FaultyPlanner>(*std::move(made), fault);
   };
   return info;
 }

@@ -20,12 +20,10 @@
 #include "wend/analysis/widest_path.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/base/thread_time.hpp"
-#include "wend/cover/plan_coverage.hpp"
 #include "wend/explore/explorer.hpp"
 #include "wend/explore/visible_cells.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/geometry/curve.hpp"
-#include "wend/map/direction_map.hpp"
 #include "wend/map/masked.hpp"
 #include "wend/map/occupancy.hpp"
 #include "wend/map/own_costs.hpp"
@@ -265,11 +263,6 @@ const std::vector<Door>& doors_of_numbers() {
                 [](const Path& path, double number, const FreeSpace& space) {
                   return timed_path(path, space, Adjacency::edges, {}, number);
                 }),
-      of_number("timed_path: window, with stops",
-                [](const Path& path, double number, const FreeSpace& space) {
-                  const std::array<std::size_t, 1> stops{path.size() / 2};
-                  return timed_path(path, space, Adjacency::edges, {}, number, stops);
-                }),
       of_number("dense_poses: tolerance",
                 [](const Path& path, double number, const FreeSpace&) {
                   return std::optional(dense_poses(path, number));
@@ -464,8 +457,7 @@ const std::vector<Door>& doors_of_poses() {
          if (field) return std::string("a field to nowhere");
          return check(session.nearest(pose));
        }},
-      {"Session::plan",
-       [](Random& random, const FreeSpace& space) {
+      {"Session::plan", [](Random& random, const FreeSpace& space) {
          Session session(space.map(), space.options());
          const Frame& frame = space.map().frame();
          PlanRequest request{frame.to_metres(Pose{1.5, 1.5, 0}),
@@ -480,20 +472,6 @@ const std::vector<Door>& doors_of_poses() {
                     &request.corner_rounding, &request.limits.seconds,
                     &request.refinement.simplify->tolerance, &*request.refinement.spacing});
          return check(session.plan(request)) + check(session.replan(request));
-       }},
-      {"Session::plan: vias", [](Random& random, const FreeSpace& space) {
-         Session session(space.map(), space.options());
-         const Frame& frame = space.map().frame();
-         PlanRequest request{frame.to_metres(Pose{1.5, 1.5, 0}),
-                             {{frame.to_metres(Point{15.5, 6.5}), 0.0}}};
-         request.vias = {{frame.to_metres(Point{5.5, 1.5}), 0.0},
-                         {frame.to_metres(Point{9.5, 2.5})}};
-         request.trajectory = TrajectoryLimits{};
-         request.stops_at_vias = random.chance(0.5);
-         MapGoal& via = request.vias.front();
-         spoil<6>(random, {&request.start.x, &via.point.x, &via.point.y, &*via.heading,
-                           &via.tolerance, &via.heading_tolerance});
-         return check(session.plan(request));
        }}};
   return doors;
 }
@@ -581,40 +559,6 @@ const std::vector<Door>& doors_of_robots_and_maps() {
          const auto mask = make_grid_map(Grid<CellState>(3, 2, CellState::occupied), frame);
          return mask ? check(masked(space.map(), *mask)) + check(masked(*mask, space.map()))
                      : check(mask);
-       }},
-      {"with_arrows, with_heights",
-       [](Random& random, const FreeSpace& space) {
-         const GridMap& map = space.map();
-         Grid<double> values(map.width(), map.height(), 1.0);
-         ArrowOptions arrow{.tolerance = 1, .factor = 2};
-         SlopeOptions slope{.climb = 1, .descend = 1};
-         if (random.chance(0.5)) {
-           values[{3, 1}] = absurd_number(random);
-         } else {
-           spoil<4>(random, {&arrow.tolerance, &arrow.factor, &slope.climb, &slope.descend});
-         }
-         const auto answered = [](const auto& made) {
-           if (!made) return check(made);
-           const auto directed = make_free_space(*made);
-           if (!directed) return check(directed);
-           const auto planner = make_planner("astar", *directed);
-           if (!planner) return planner.error().message;
-           const auto plan = (*planner)->plan(Query::between({1, 1}, {9, 1}));
-           return plan ? check(plan->cost) : std::string();
-         };
-         return answered(with_arrows(map, values, arrow)) +
-                answered(with_heights(map, values, slope));
-       }},
-      {"plan_coverage",
-       [](Random& random, const FreeSpace& space) {
-         CoverageOptions options{.tool_width = 4};
-         options.angle = options.turn_cost = 1.0;
-         options.start = options.end = Point{1.5, 1.5};
-         spoil<8>(random,
-                  {&options.tool_width, &options.overlap, &*options.angle, &*options.turn_cost,
-                   &options.share, &options.start->x, &options.start->y, &options.end->y});
-         const auto coverage = plan_coverage(space, options);
-         return std::string(!coverage && coverage.error().message.empty() ? "no reason" : "");
        }},
       {"Explorer", [](Random& random, const FreeSpace& space) {
          const bool range = random.chance(0.5);

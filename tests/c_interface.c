@@ -70,16 +70,6 @@ static void check_costs(void) {
   wend_map_free(changed);
   CHECK(wend_map_with_costs(grid, cost_of, &factor, &changed, NULL) == WEND_OK && changed != NULL);
   wend_map_free(changed);
-  CHECK(wend_map_with_arrows(grid, terrain, 4, 1, INFINITY, &changed, NULL) == WEND_OK);
-  CHECK(changed != NULL);
-  wend_map_free(changed);
-  CHECK(wend_map_with_arrows(grid, terrain, 3, 1, 2, &changed, NULL) == WEND_INVALID_ARGUMENT);
-  CHECK(wend_map_with_arrows(grid, terrain, 4, -1, 2, &changed, NULL) == WEND_INVALID_OPTION);
-  CHECK(wend_map_with_heights(grid, terrain, 4, 2, 1, &changed, NULL) == WEND_OK);
-  CHECK(changed != NULL);
-  wend_map_free(changed);
-  CHECK(wend_map_with_heights(grid, NULL, 4, 2, 1, &changed, NULL) == WEND_INVALID_ARGUMENT);
-  CHECK(wend_mask_load("oneway:there is no such file.png", &changed, NULL) == WEND_INVALID_FILE);
   CHECK(wend_mask_load("speed:there is no such file.yaml", &changed, NULL) == WEND_INVALID_FILE);
   CHECK(changed == NULL);
   wend_map_free(costmap);
@@ -122,32 +112,6 @@ static void check_fields(const wend_request* request) {
   }
   CHECK(wend_request_field_at(i, &info) == WEND_INVALID_ARGUMENT);
   CHECK(set.tolerance == 0 && set.nearest == 0 && set.expansions == UINT64_MAX);
-}
-
-static void check_robot_fields(const wend_map* map) {
-  const wend_pose over_edge = {0.05, 0.05, 0};
-  size_t i;
-  int32_t fits = -1;
-  wend_field_info info;
-  wend_robot_options options;
-  wend_robot* robot = NULL;
-  wend_session* session = NULL;
-  CHECK(wend_robot_options_init(&options, sizeof options) == WEND_OK);
-  CHECK(wend_robot_create(&options, &robot, NULL) == WEND_OK);
-  for (i = 0; i < wend_robot_field_count(); ++i) {
-    CHECK(wend_robot_field_at(i, &info) == WEND_OK && info.help[0] != '\0');
-    CHECK(wend_robot_set(robot, info.name, info.default_value, NULL) == WEND_OK);
-  }
-  CHECK(wend_robot_field_at(i, &info) == WEND_INVALID_ARGUMENT);
-  CHECK(wend_robot_set(robot, "robot_radius", 0.2, NULL) == WEND_OK);
-  CHECK(wend_session_create(map, robot, NULL, &session, NULL) == WEND_OK);
-  CHECK(wend_session_fits(session, &over_edge, &fits, NULL) == WEND_OK && fits == 0);
-  CHECK(wend_robot_set(robot, "outside", WEND_POLICY_FREE, NULL) == WEND_OK);
-  CHECK(wend_session_fits(session, &over_edge, &fits, NULL) == WEND_OK && fits == 0);
-  CHECK(wend_session_set_robot(session, robot, NULL) == WEND_OK);
-  CHECK(wend_session_fits(session, &over_edge, &fits, NULL) == WEND_OK && fits == 1);
-  wend_session_free(session);
-  wend_robot_free(robot);
 }
 
 static void check_metrics(const wend_plan* plan) {
@@ -203,31 +167,6 @@ static void check_ends(wend_session* session, const wend_request* request) {
   CHECK(wend_session_plan(session, &eased, &plan, NULL) == WEND_GOAL_OUTSIDE);
 }
 
-static void check_vias(wend_session* session, const wend_request* request) {
-  wend_plan* plan = NULL;
-  wend_leg leg;
-  wend_error error;
-  wend_request loop = *request;
-  const wend_pose vias[2] = {{0.25, 0.75, NAN}, {0.75, 1.25, NAN}};
-  CHECK(wend_session_plan_through(session, request, vias, 2, 0, &plan, &error) == WEND_OK);
-  CHECK(wend_plan_leg_count(plan) == 3);
-  CHECK(wend_plan_leg_at(plan, 1, &leg) == WEND_OK && leg.cost > 1 && leg.bound == 1);
-  CHECK(strcmp(leg.from, "via 1") == 0 && strcmp(leg.to, "via 2") == 0);
-  CHECK(wend_plan_poses(plan)[leg.first_pose].y == 0.75 && leg.shift == 0);
-  CHECK(wend_plan_leg_at(plan, 2, &leg) == WEND_OK);
-  CHECK(leg.last_pose + 1 == wend_plan_pose_count(plan));
-  CHECK(wend_plan_leg_at(plan, 3, &leg) == WEND_INVALID_ARGUMENT);
-  wend_plan_free(plan);
-  CHECK(wend_session_plan_through(session, request, vias, 2, 1, &plan, &error) ==
-        WEND_INVALID_ARGUMENT);
-  loop.goal_count = 0;
-  CHECK(wend_session_plan_through(session, &loop, vias, 2, 1, &plan, &error) == WEND_OK);
-  CHECK(wend_plan_poses(plan)[wend_plan_pose_count(plan) - 1].x == wend_plan_poses(plan)[0].x);
-  wend_plan_free(plan);
-  CHECK(wend_session_plan_through(session, &loop, NULL, 2, 1, &plan, &error) ==
-        WEND_INVALID_ARGUMENT);
-}
-
 static int32_t take_solution(const wend_plan* plan, void* context) {
   double* last = (double*)context;
   CHECK(wend_plan_cost(plan) <= *last && wend_plan_bound(plan) >= 1);
@@ -262,15 +201,6 @@ static void check_solutions(wend_session* session, const wend_request* request) 
   wend_plan_free(plan);
 }
 
-static void check_coverage(wend_session* session) {
-  wend_coverage_options options;
-  wend_coverage* coverage = NULL;
-  CHECK(wend_coverage_options_init(&options, sizeof options) == WEND_OK);
-  options.tool_width = 1000;
-  CHECK(wend_session_cover(session, &options, &coverage, NULL) != WEND_OK && coverage == NULL);
-  wend_coverage_free(coverage);
-}
-
 static void check_field(wend_session* session, const wend_request* request) {
   wend_field* field = NULL;
   wend_plan* plan = NULL;
@@ -298,7 +228,6 @@ static void check_session(void) {
   CHECK(wend_session_options_init(&options, sizeof options) == WEND_OK);
   options.outside = WEND_POLICY_FREE;
   CHECK(wend_session_create(map, robot, &options, &session, NULL) == WEND_OK);
-  check_robot_fields(map);
   CHECK(wend_session_set_map(session, map, NULL) == WEND_OK);
   CHECK(wend_session_edit(session, 2, 0, 1, 1, &occupied, 1, NULL) == WEND_OK);
   CHECK(wend_session_edit_terrain(session, 4, 0, 1, 1, &dear, 1, NULL) == WEND_OK);
@@ -313,11 +242,9 @@ static void check_session(void) {
   check_poses(session);
   check_plan(session, &request);
   check_ends(session, &request);
-  check_vias(session, &request);
   check_solutions(session, &request);
   check_cancel(session, &request);
   check_field(session, &request);
-  check_coverage(session);
   wend_session_free(session);
 }
 

@@ -33,8 +33,8 @@
 //
 //    origin + rotate(origin.heading, resolution * (column..column + 1, row..row + 1))
 //
-// Threads: all threads may use a session at the same time. A map, a robot, a plan and a field do not change (but by
-// wend_robot_set()); all threads may read them. Free an object when no other thread uses it.
+// Threads: all threads may use a session at the same time. A map, a robot, a plan and a field do not change;
+// all threads may read them. Free an object when no other thread uses it.
 //
 // Growth: structures with a `struct_size` are made by their init function, which sets the defaults and takes
 // the size that the caller was compiled with. A structure of another size is an error. New fields of a request have no
@@ -180,9 +180,8 @@ WEND_C_API wend_status wend_map_from_costmap(const uint8_t* costs, size_t size, 
                                              const wend_pose* origin, double cost_factor,
                                              wend_map** map, wend_error* error);
 
-/// Loads a mask: "FILE" or "keepout:FILE", whose occupied cells are zones to keep out of, "speed:FILE", whose values are
-/// speed limits in percent, "oneway:FILE", whose colours are the headings of one-way zones, or "height:climb=N:FILE", whose
-/// greys are heights; docs/directions.md says more. Free the mask with wend_map_free(). Fails with WEND_INVALID_FILE or
+/// Loads a mask: "FILE" or "keepout:FILE", whose occupied cells are zones to keep out of, or "speed:FILE", whose
+/// values are speed limits in percent. Free the mask with wend_map_free(). Fails with WEND_INVALID_FILE or
 /// WEND_INVALID_OPTION.
 WEND_C_API wend_status wend_mask_load(const char* mask, wend_map** map, wend_error* error);
 
@@ -204,21 +203,6 @@ typedef double (*wend_cost_function)(int32_t x, int32_t y, void* context);
 /// The same with `cost_of(x, y, context)` for each cell, called once, row by row.
 WEND_C_API wend_status wend_map_with_costs(const wend_map* map, wend_cost_function cost_of,
                                            void* context, wend_map** changed, wend_error* error);
-
-/// Makes a copy of a map with arrows: `count` headings in radians in the map's frame, one for each cell, row by row; NaN:
-/// none. Moves within `tolerance` radians of the arrow of a cell are free, in 0..pi; others cost `factor` times as much, 1
-/// to 10000, or are not allowed if it is infinite. Free the copy with wend_map_free(). Fails with WEND_INVALID_ARGUMENT,
-/// WEND_INVALID_MAP or WEND_INVALID_OPTION. O(cells).
-WEND_C_API wend_status wend_map_with_arrows(const wend_map* map, const double* headings,
-                                            size_t count, double tolerance, double factor,
-                                            wend_map** changed, wend_error* error);
-
-/// Makes a copy of a map with slopes: `count` heights in the map's unit of length, one for each cell, row by row; NaN:
-/// unknown. A unit of height costs `climb` units of way upwards and `descend` downwards, each 0 to 10000. Free the copy
-/// with wend_map_free(). Fails as wend_map_with_arrows() does. O(cells).
-WEND_C_API wend_status wend_map_with_heights(const wend_map* map, const double* heights,
-                                             size_t count, double climb, double descend,
-                                             wend_map** changed, wend_error* error);
 
 /// The number of columns; 0 for null.
 WEND_C_API int32_t wend_map_width(const wend_map* map);
@@ -266,30 +250,6 @@ WEND_C_API wend_status wend_robot_options_init(wend_robot_options* options, size
 WEND_C_API wend_status wend_robot_create(const wend_robot_options* options, wend_robot** robot,
                                          wend_error* error);
 
-/// A field of a request or a robot, which is set by name. The texts belong to the library and stay.
-typedef struct wend_field_info {
-  const char* name;      // "goal_tolerance"
-  const char* unit;      // "m", "rad", "s", or ""
-  const char* help;      // what it is, without a full stop
-  int32_t flag;          // 1 if its values are 0 and 1 only
-  double least;          // the least value
-  double greatest;       // the greatest value; may be infinite
-  double default_value;  // NaN where it has none
-} wend_field_info;
-
-/// Sets a field of a robot by name, as flags of the command line are called: "clearance_distance", "unknown". A radius
-/// replaces the shape; of "unknown" and "outside" the value is one of wend_policy, and what a session's options say comes
-/// before it. Sessions that have the robot keep it as it was. No other thread may use the robot at the same time. Fails with
-/// WEND_INVALID_OPTION for an unknown name, with the most similar one in the message, and for a value that is not in
-/// the field's range.
-WEND_C_API wend_status wend_robot_set(wend_robot* robot, const char* name, double value,
-                                      wend_error* error);
-
-/// The number of fields that wend_robot_set() knows.
-WEND_C_API size_t wend_robot_field_count(void);
-/// Writes what is known of a field. Fails with WEND_INVALID_ARGUMENT for an index of wend_robot_field_count() or more.
-WEND_C_API wend_status wend_robot_field_at(size_t index, wend_field_info* info);
-
 /// Frees a robot.
 WEND_C_API void wend_robot_free(wend_robot* robot);
 
@@ -298,7 +258,7 @@ typedef struct wend_session wend_session;
 
 /// What counts as free. By default unknown cells do not; nor does the outside, but of a map file in cells.
 enum wend_policy {
-  WEND_POLICY_DEFAULT = 0,  // as the robot has it, or as above
+  WEND_POLICY_DEFAULT = 0,  // as above
   WEND_POLICY_BLOCKED = 1,  // an obstacle
   WEND_POLICY_FREE = 2      // free
 };
@@ -417,6 +377,17 @@ WEND_C_API wend_status wend_request_init(wend_request* request, size_t struct_si
 WEND_C_API wend_status wend_request_set(wend_request* request, const char* name, double value,
                                         wend_error* error);
 
+/// A field of a request. The texts belong to the library and stay.
+typedef struct wend_field_info {
+  const char* name;      // "goal_tolerance"
+  const char* unit;      // "m", "rad", "s", or ""
+  const char* help;      // what it is, without a full stop
+  int32_t flag;          // 1 if its values are 0 and 1 only
+  double least;          // the least value
+  double greatest;       // the greatest value; may be infinite
+  double default_value;  // NaN where it has none
+} wend_field_info;
+
 /// The number of fields that wend_request_set() knows.
 WEND_C_API size_t wend_request_field_count(void);
 /// Writes what is known of a field. Fails with WEND_INVALID_ARGUMENT for an index of wend_request_field_count() or more.
@@ -426,15 +397,6 @@ WEND_C_API wend_status wend_request_field_at(size_t index, wend_field_info* info
 /// Free the plan with wend_plan_free().
 WEND_C_API wend_status wend_session_plan(wend_session* session, const wend_request* request,
                                          wend_plan** plan, wend_error* error);
-
-/// Plans like wend_session_plan(), through `vias` on the way, in this order, which have a heading or NaN for any; at most
-/// 1,000,000. Each leg is planned from where, and with the heading in which, the one before ended; limits are of all legs
-/// together. `closed`, 1: the path ends where it begins, and the request has no goals (goal_count 0); else 0. The message
-/// of a failure names the leg. wend_request.on_solution must be null.
-WEND_C_API wend_status wend_session_plan_through(wend_session* session, const wend_request* request,
-                                                 const wend_pose* vias, size_t via_count,
-                                                 int32_t closed, wend_plan** plan,
-                                                 wend_error* error);
 
 /// Plans like wend_session_plan(), for a robot that drives while its map changes. What is left of the path that the
 /// last call answered, from the robot's place on, is answered again unless another path is cheaper by more than
@@ -488,25 +450,6 @@ WEND_C_API const char* wend_metric_help(size_t index);
 WEND_C_API wend_status wend_plan_metric(const wend_plan* plan, const char* name, double* value,
                                         wend_error* error);
 
-/// A leg of a plan through vias. The texts belong to the plan.
-typedef struct wend_leg {
-  const char* from;  // "start", "via 1"
-  const char* to;    // "via 1", "goal"; of a closed path, at last, "start"
-  double cost;       // what the planner minimises
-  double
-      bound;  // cost <= bound * the cheapest cost from where the leg begins; infinite: no guarantee
-  double length;      // metres, as the planner found it
-  double shift;       // metres: how far from its place it ends, as wend_plan_goal_shift()
-  uint64_t expanded;  // states
-  size_t first_pose;  // of wend_plan_poses(): where it begins
-  size_t last_pose;   // where it ends; the next leg begins with this pose
-} wend_leg;
-
-/// The number of legs of a plan by wend_session_plan_through(); 0 for others, and for null.
-WEND_C_API size_t wend_plan_leg_count(const wend_plan* plan);
-/// Writes what is known of a leg. Fails with WEND_INVALID_ARGUMENT for an index of wend_plan_leg_count() or more.
-WEND_C_API wend_status wend_plan_leg_at(const wend_plan* plan, size_t index, wend_leg* leg);
-
 /// The length in metres of the way out that the path begins with (wend_request.escape); 0 without one, NaN for null.
 WEND_C_API double wend_plan_lead_out_length(const wend_plan* plan);
 /// How many poses of that way come before the first one where the robot fits; 0 without one, and for null.
@@ -549,58 +492,6 @@ WEND_C_API wend_status wend_field_plan(const wend_field* field, const wend_pose*
 
 /// Frees a field.
 WEND_C_API void wend_field_free(wend_field* field);
-
-/// A path on which a tool passes over every place that it can reach.
-typedef struct wend_coverage wend_coverage;
-
-/// What to cover, and how. The tool is a disc in the middle of the robot. Lengths are in metres.
-typedef struct wend_coverage_options {
-  size_t struct_size;  // sizeof(wend_coverage_options)
-  double tool_width;   // from 2 to 500 cells; no default
-  double overlap;      // of neighbouring swaths, from 0 to below the tool's width; default 0
-  double angle;        // of the swaths, radians from +x; default NaN: each room its cheapest one
-  double turn_cost;    // what turning around costs, as a length; default NaN: the tool's width
-  double share;        // above 0, at most 1: of what the tool can reach; default 0.999
-  const wend_pose* start;  // where the path begins, without the heading; default null: anywhere
-  const wend_pose* end;    // where it ends; default null: anywhere
-  const uint8_t* area;  // a byte for each cell, row by row, 1 for those to cover; default null: all
-  const uint8_t* covered;  // the same, 1 for those that are covered already; default null: none
-  size_t cell_count;       // of these arrays: columns times rows
-  uint64_t seed;           // of the search for the order; default 1
-  double seconds;          // of the whole call, >= 0; default infinity
-  const wend_cancel*
-      cancel;  // ends the call with WEND_CANCELLED when another thread sets it; default null
-} wend_coverage_options;
-
-/// Sets the defaults. `struct_size` is sizeof(wend_coverage_options).
-WEND_C_API wend_status wend_coverage_options_init(wend_coverage_options* options,
-                                                  size_t struct_size);
-
-/// Plans a coverage. Fails with WEND_INVALID_ARGUMENT, WEND_INVALID_OPTION (a number out of range),
-/// WEND_START_OUTSIDE, WEND_START_BLOCKED, WEND_GOAL_OUTSIDE or WEND_GOAL_BLOCKED (the end), WEND_UNREACHABLE,
-/// WEND_MEMORY_LIMIT, WEND_TIME_LIMIT or WEND_CANCELLED. Free it with wend_coverage_free().
-WEND_C_API wend_status wend_session_cover(wend_session* session,
-                                          const wend_coverage_options* options,
-                                          wend_coverage** coverage, wend_error* error);
-
-/// The number of poses of the path, between which the robot drives straight; 0 if nothing was left to cover, and for null.
-WEND_C_API size_t wend_coverage_pose_count(const wend_coverage* coverage);
-/// The poses. Valid until the coverage is freed; null for null.
-WEND_C_API const wend_pose* wend_coverage_poses(const wend_coverage* coverage);
-/// A byte for each cell, row by row: 1 covered, 2 missed although the tool can reach it, 0 others. Valid until the coverage is
-/// freed; null for null.
-WEND_C_API const uint8_t* wend_coverage_cells(const wend_coverage* coverage);
-/// Which share of what the tool can reach is covered; NaN for null.
-WEND_C_API double wend_coverage_share(const wend_coverage* coverage);
-/// The length of the path in metres; NaN for null.
-WEND_C_API double wend_coverage_length(const wend_coverage* coverage);
-/// What the path covers divided by the tool's width, in metres: hardly any path is shorter; NaN for null.
-WEND_C_API double wend_coverage_lower_bound(const wend_coverage* coverage);
-/// Where the direction changes by more than 20 degrees; 0 for null.
-WEND_C_API size_t wend_coverage_turns(const wend_coverage* coverage);
-
-/// Frees a coverage.
-WEND_C_API void wend_coverage_free(wend_coverage* coverage);
 
 #ifdef __cplusplus
 }

@@ -9,7 +9,6 @@
 #include "wend/control/follower.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/control/trajectory_tracker.hpp"
-#include "wend/cover/plan_coverage.hpp"
 #include "wend/explore/explorer.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/geometry/compass.hpp"
@@ -20,7 +19,6 @@
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_csv.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
-#include "wend/map/direction_map.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/map/masked.hpp"
 #include "wend/map/occupancy.hpp"
@@ -34,9 +32,6 @@
 #include "wend/robot/free_space.hpp"
 #include "wend/robot/nearest_passable.hpp"
 #include "wend/session/session.hpp"
-#include "wend/tour/plan_tour.hpp"
-#include "wend/tour/stop_costs.hpp"
-#include "wend/tour/tour_path.hpp"
 #include "wend/version.hpp"
 
 /// @namespace wend

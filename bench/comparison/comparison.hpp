@@ -17,11 +17,9 @@
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
-#include "wend/path/path_metrics.hpp"
 #include "wend/planner/failure.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
-#include "wend/search/search_outcome.hpp"
 
 namespace wend {
 
@@ -29,7 +27,6 @@ namespace wend {
 struct EasedEnds {
   Pose start;
   std::vector<Goal> goals;
-  std::uint64_t expanded = 0;  // between them
 };
 
 /// One planner on one query. Without a path, the values that describe it are meaningless.
@@ -39,12 +36,19 @@ struct ComparisonRow {
   std::string reason = {};          // of a failure, for people
   Failure failure = {};             // the same as data; empty if there is no planner
   double cost = 0;                  // as in Plan::cost; for a car, its fuel
-  PathMetrics measured{};           // corners rounded by kCornerRounding
+  double length = 0;                // cells
+  double turning = 0;               // degrees, all turns together
+  double largest_curvature = 0;     // 1 / cells; corners rounded by kCornerRounding
+  double smallest_clearance = 0;    // cells; infinite without obstacles
+  double mean_clearance = 0;        // the same, over the path's length
   std::uint64_t steps = 0;          // moves
-  bool counts_first_query = false;  // `metrics`: later queries find their answer kept
-  SearchMetrics metrics{};
+  std::uint64_t reversals = 0;      // how often a car changes between forward and reverse
+  bool counts_first_query = false;  // the next three: later queries find their answer kept
+  std::uint64_t expanded = 0;
+  std::uint64_t generated = 0;
+  std::uint64_t max_frontier = 0;  // the largest number of open states
   QueryTimes times{};
-  std::vector<EasedEnds> eased{};    // the query without what the robot could not do, leg by leg
+  EasedEnds eased{};                 // the query without what the robot could not do
   Path lead{};                       // the way out before what the planner was asked for
   std::vector<std::string> notes{};  // a sentence for each end that was moved or led out
   std::optional<double> remaining =
@@ -56,10 +60,8 @@ struct ComparisonRow {
 /// What was asked, in grid coordinates.
 struct ComparedQuery {
   Pose start;
-  std::vector<Goal> goals;          // one or more; of a closed path, the start
+  std::vector<Goal> goals;          // one or more
   std::vector<ComparisonRow> rows;  // one a planner, in the same order in every query
-  std::vector<Goal> vias = {};      // on the way, in order
-  bool closed = false;              // leads back to the start
 };
 
 struct Comparison {
@@ -80,11 +82,10 @@ std::string comparison_table(const Comparison& comparison, std::size_t width = 8
 /// {"schema", "queries": [{"start", "goal", "planners": [{"planner", "status", "cost",
 /// "length_cells", "length_m", "turning_degrees", "curvature_per_cell", "curvature_per_m",
 /// "turning_radius_cells", "turning_radius_m", "clearance_cells", "clearance_m",
-/// "mean_clearance_cells", "mean_clearance_m", every other metric of a path, "metrics", "times": {"preparation_us", "first_query_us", "later_query_us"}}]}],
+/// "mean_clearance_cells", "mean_clearance_m", "metrics", "times": {"preparation_us", "first_query_us", "later_query_us"}}]}],
 /// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
 /// ...}]}; clearances and the turning radius have "p1" instead of "p99". A failure has a "reason".
 /// Its unknown values are null, as are infinite values.
-/// A query through vias has "vias", in order, and "closed" if it leads back to its start.
 /// `cost_ratio` is to the cheapest cost that any planner found. A query with several goals has "goals", a
 /// list, instead of "goal"; where the ends were eased (Leeway), a planner has "notes", and "remaining_cells" and
 /// "remaining_m"; one with tolerances has "goal_tolerance_cells". Start and goal are cells [x,y];

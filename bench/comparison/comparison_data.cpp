@@ -21,14 +21,14 @@ Json row_json(const Comparison& comparison, const ComparedQuery& query, std::siz
   if (!row.found()) json["reason"] = row.reason;
   for (const Measure& measure : measures_of(comparison)) {
     if (!measure.of_path || measure.key == kRatio) continue;
-    json[measure.key] = measure.of(comparison, query, planner);
+    json[std::string(measure.key)] = measure.of(comparison, query, planner);
   }
   if (row.remaining) {
     json["remaining_cells"] = *row.remaining;
     json["remaining_m"] = *row.remaining * comparison.frame.resolution;
   }
   if (!row.notes.empty()) json["notes"] = row.notes;
-  json["metrics"] = json_of(row.metrics);
+  json["metrics"] = json_of(SearchMetrics{row.expanded, row.generated, row.max_frontier});
   json["times"] = {{"preparation_us", in_microseconds(row.times.preparation)},
                    {"first_query_us", in_microseconds(row.times.first)},
                    {"later_query_us", in_microseconds(row.times.later)}};
@@ -55,8 +55,6 @@ Json query_json(const Comparison& comparison, const ComparedQuery& query) {
     json["goals"] = Json::array();
     for (const Goal& goal : query.goals) json["goals"].push_back(json_of_end(comparison, goal));
   }
-  for (const Goal& via : query.vias) json["vias"].push_back(json_of_end(comparison, via));
-  if (query.closed) json["closed"] = true;
   const double tolerance = query.goals.front().tolerance;
   if (tolerance > 0) json["goal_tolerance_cells"] = tolerance;
   json["planners"] = std::move(rows);
@@ -83,9 +81,9 @@ Json statistics_json(const Comparison& comparison, const std::string& name, std:
   for (const Measure& measure : measures_of(comparison)) {
     if (measure.key == "cost") continue;
     const Summary summary = summary_of(comparison, measure, planner);
-    json[measure.key] = {{"median", summary.median},
-                         {"mean", summary.mean},
-                         {measure.more_is_better ? "p1" : "p99", summary.p99}};
+    json[std::string(measure.key)] = {{"median", summary.median},
+                                      {"mean", summary.mean},
+                                      {measure.more_is_better ? "p1" : "p99", summary.p99}};
   }
   return json;
 }

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <string>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -14,16 +14,16 @@
 namespace wend {
 
 struct Measure {
-  std::string key;             // as programs call it
-  std::string_view title;      // as people do; empty: only programs are told
-  std::string_view unit = {};  // empty for counts and ratios
-  int decimals = 0;            // shown to people
-  bool of_path = false;        // meaningless without a path
-  bool of_cars = false;        // shown only for cars
+  std::string_view key;     // as programs call it
+  std::string_view title;   // as people do
+  std::string_view unit{};  // empty for counts and ratios
+  int decimals = 0;         // shown to people
+  bool of_path = false;     // meaningless without a path
+  bool of_cars = false;     // shown only for cars
   bool more_is_better = false;
   bool in_metres = false;  // `value` is in cells and must be multiplied by the resolution
   bool per_metre = false;  // `value` is in 1 / cells and must be divided by it
-  std::function<double(const ComparedQuery&, const ComparisonRow&)> value = {};
+  double (*value)(const ComparedQuery&, const ComparisonRow&);
 
   /// Is its unit in metres, or in cells? Neither if the unit has no length.
   bool metric() const { return in_metres || per_metre; }
@@ -33,8 +33,7 @@ struct Measure {
   double of(const Comparison& comparison, const ComparedQuery& query, std::size_t planner) const;
 };
 
-/// The measures that matter for the comparison, in display order: among them all metrics of paths and searches, but those
-/// that say nothing of a planner.
+/// The measures that matter for the comparison, in display order.
 std::vector<std::reference_wrapper<const Measure>> measures_of(const Comparison& comparison);
 
 /// The measure with that key, which must exist.

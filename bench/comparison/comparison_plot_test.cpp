@@ -33,11 +33,11 @@ Comparison made_up(const std::vector<std::string>& planners, int queries, double
     const double length = 20 + 980 * random.uniform();
     for (std::size_t planner = 0; planner < planners.size(); ++planner) {
       const double work = std::pow(length / 20, spread) * (1 + random.uniform());
-      ComparisonRow row{.planner = planners[planner], .measured = {.length = length}};
-      row.metrics.expanded = static_cast<std::uint64_t>(20 * work * std::pow(3, planner));
+      ComparisonRow row{.planner = planners[planner], .length = length};
+      row.expanded = static_cast<std::uint64_t>(20 * work * std::pow(3, planner));
       row.times = {.preparation = 2e-3,
-                   .first = static_cast<double>(row.metrics.expanded) * 2e-7,
-                   .later = static_cast<double>(row.metrics.expanded) * 1e-7};
+                   .first = static_cast<double>(row.expanded) * 2e-7,
+                   .later = static_cast<double>(row.expanded) * 1e-7};
       if (planner + 1 == planners.size() && random.chance(0.4)) row.status = Status::step_limit;
       query.rows.push_back(row);
     }
@@ -128,8 +128,8 @@ TEST(ComparisonPlot, HasEverySolvedQueryAndSharesOfAll) {
   const auto row = [](double length, double seconds, Status status) {
     return ComparisonRow{.planner = "a",
                          .status = status,
-                         .measured = {.length = length},
-                         .metrics = {.expanded = 3},
+                         .length = length,
+                         .expanded = 3,
                          .times = {1e-6, 2 * seconds, seconds}};
   };
   const Comparison comparison{{},

@@ -1,22 +1,27 @@
 #include "bench/comparison/comparison_run.hpp"
 
-#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <span>
 #include <utility>
 
-#include "wend/path/joins.hpp"
+#include "wend/geometry/angle.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/session/eased_query.hpp"
 #include "wend/session/explainer.hpp"
 #include "wend/session/failure_text.hpp"
-#include "wend/session/legs.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
 
 namespace wend {
 namespace {
+
+/// Whole eighths of a turn come out as whole degrees.
+double without_rounding(double degrees) {
+  constexpr double kDigits = 1e6;
+  return std::round(degrees * kDigits) / kDigits;
+}
 
 /// Could all planners answer the same queries?
 bool have_same_states(std::span<const PlannerSpec> specs) {
@@ -28,11 +33,6 @@ bool have_same_states(std::span<const PlannerSpec> specs) {
     if (!same_states(first->capabilities, info->capabilities)) return false;
   }
   return true;
-}
-
-/// Of two legs by the same planner.
-QueryTimes sum_of(const QueryTimes& a, const QueryTimes& b) {
-  return {a.preparation, a.first + b.first, a.later + b.later};
 }
 
 }  // namespace
@@ -66,19 +66,17 @@ void ComparisonRun::answer(const CellPair& cells, const Limits& limits) {
   answer(std::move(query));
 }
 
-void ComparisonRun::answer(Query query, const std::vector<Goal>& vias, bool closed) {
-  if (closed) query.goals = {Goal(query.start)};
+void ComparisonRun::answer(Query query) {
   assert(!query.goals.empty());
   query.observer = nullptr;  // planners would tell it all at once
-  ComparedQuery compared{query.start, query.goals, {}, vias, closed};
+  ComparedQuery compared{query.start, query.goals, {}};
   for (std::size_t planner = 0; planner < specs_.size(); ++planner) {
-    compared.rows.push_back(answer_of(planner, query, compared));
+    compared.rows.push_back(answer_of(planner, query));
   }
   comparison_.queries.push_back(std::move(compared));
 }
 
-ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query,
-                                       const ComparedQuery& compared) {
+ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) {
   ComparisonRow row{.planner = specs_[planner].text};
   TimedPlanner& timed = planners_[planner];
   if (const auto& error = timed.error()) {
@@ -87,86 +85,69 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query,
     return row;
   }
   row.counts_first_query = timed.resumes();
-  const std::vector<PlanLeg> legs = named_legs(compared.vias.size(), compared.closed);
-  std::vector<Path> paths;
-  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
-    const bool last = leg + 1 == legs.size();
-    Query asked = query;
-    if (leg > 0) asked.start = end_of(paths.back());
-    if (!last) asked.goals = {compared.vias[leg]};
-    if (last && compared.closed) asked.goals = {Goal(beginning_of(paths.front()))};
-    if (query.limits.expansions != Limits::kUnlimited) {
-      asked.limits.expansions -= std::min(asked.limits.expansions, row.metrics.expanded);
-    }
-    Leeway leeway = leeway_;
-    if (leg > 0) leeway.escape = 0;
-    leeway.closest &= last;
-    row.status = plan_eased(timed, asked, leeway, row);
-    if (!row.found()) {
-      row.failure = timed.planner()->failure(asked, row.status);
-      row.reason = (last && leg == 0 ? "" : leg_words(legs, leg)) +
-                   words_of(row.failure, plan_.metrics, space_);
-      return row;
-    }
-    paths.push_back(std::move(plan_.path));
+  row.status = plan_eased(timed, query, row);
+  row.cost = plan_.cost;
+  row.expanded = plan_.metrics.expanded;
+  row.generated = plan_.metrics.generated;
+  row.max_frontier = plan_.metrics.max_frontier;
+  if (!row.found()) {
+    row.failure = timed.planner()->failure(query, row.status);
+    row.reason = words_of(row.failure, plan_.metrics, space_);
+    return row;
   }
-  const Path legs_joined = end_to_end(paths);
-  const Path path = row.lead.empty() ? legs_joined : joined(row.lead, legs_joined);
-  const auto measured = measure(path, space_);
-  assert(measured);  // a planner's path
-  row.measured = *measured;
-  row.steps = path.size() - 1;
+  describe(plan_.path, space_, row);
   return row;
 }
 
 /// Leads the start out and moves the ends, as far as that is allowed: that is not timed.
-Status ComparisonRun::plan_eased(TimedPlanner& timed, const Query& query, const Leeway& leeway,
-                                 ComparisonRow& row) {
+Status ComparisonRun::plan_eased(TimedPlanner& timed, const Query& query, ComparisonRow& row) {
   const Units units(space_.map());
   Explainer explainer(space_, units, timed.planner()->grid_moves().value_or(GridMoves{}), {});
-  explainer.allow(leeway);
-  const auto ease = [&] { return EasedQuery(query, *timed.planner(), explainer, units, leeway); };
+  explainer.allow(leeway_);
+  const auto ease = [&] { return EasedQuery(query, *timed.planner(), explainer, units, leeway_); };
   const Query asked = ease().query();
-  QueryTimes times;
-  Status status = timed.answer(asked, plan_, times);
+  Status status = timed.answer(asked, plan_, row.times);
   EasedQuery eased = ease();  // the first answer is that of another planner, which is gone
-  if (eased.ease_goals(status)) status = timed.answer(eased.query(), plan_, times);
-  const bool first = row.eased.empty();
-  row.times = first ? times : sum_of(row.times, times);
-  row.eased.push_back({eased.query().start, eased.query().goals, plan_.metrics.expanded});
-  if (first) row.lead = eased.lead();
-  row.cost = first ? plan_.cost : row.cost + plan_.cost;
-  row.metrics.expanded += plan_.metrics.expanded;
-  row.metrics.generated += plan_.metrics.generated;
-  row.metrics.max_frontier = std::max(row.metrics.max_frontier, plan_.metrics.max_frontier);
+  if (eased.ease_goals(status)) status = timed.answer(eased.query(), plan_, row.times);
+  row.eased = {eased.query().start, eased.query().goals};
+  row.lead = eased.lead();
   if (status != Status::found) return status;
   eased.finish(plan_);
-  row.notes.insert(row.notes.end(), eased.notes().begin(), eased.notes().end());
+  begin_with(row.lead, plan_, space_.map().frame());
+  row.notes = eased.notes();
   row.remaining = eased.remaining();
   return status;
 }
 
+void ComparisonRun::describe(const Path& path, const FreeSpace& space, ComparisonRow& row) {
+  const auto measured = measure(path, space);
+  assert(measured);  // a planner's path
+  const PathMetrics& metrics = *measured;
+  row.length = metrics.length;
+  row.turning = without_rounding(degrees_from(metrics.turning));
+  row.largest_curvature = 1 / metrics.rounded_turning_radius;
+  row.smallest_clearance = metrics.smallest_clearance;
+  row.mean_clearance = metrics.mean_clearance;
+  row.steps = path.size() - 1;
+  row.reversals = static_cast<std::uint64_t>(metrics.reversals);
+}
+
 /// Repeats a search; one that was stopped, as far as it went. A planner that resumes would not search again, so another
 /// one does. (One that keeps what it prepared may expand other cells than the first time.)
-std::vector<Path> ComparisonRun::again(std::size_t planner, std::size_t query,
-                                       SearchObserver* observer) const {
+Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver* observer) const {
   const ComparisonRow& row = comparison_.queries[query].rows[planner];
+  Query same{row.eased.start, row.eased.goals};
+  if (!row.found()) same.limits.expansions = row.expanded;
+  same.observer = observer;
+  Plan plan;
   const TimedPlanner& timed = planners_[planner];
-  std::vector<Path> paths;
-  if (timed.planner() == nullptr) return paths;
-  for (const EasedEnds& leg : row.eased) {
-    Query same{leg.start, leg.goals};
-    if (!row.found()) same.limits.expansions = leg.expanded;
-    same.observer = observer;
-    Plan plan;
-    if (!timed.resumes()) {
-      timed.planner()->plan(same, plan);
-    } else if (const auto another = timed.another()) {
-      (*another)->plan(same, plan);
-    }
-    paths.push_back(std::move(plan.path));
+  if (timed.planner() == nullptr) return plan;
+  if (!timed.resumes()) {
+    timed.planner()->plan(same, plan);
+  } else if (const auto another = timed.another()) {
+    (*another)->plan(same, plan);
   }
-  return paths;
+  return plan;
 }
 
 GridMoves ComparisonRun::grid_moves(std::size_t planner) const {
@@ -182,11 +163,9 @@ SearchRecorder ComparisonRun::record(std::size_t planner, std::size_t query) con
 }
 
 Path ComparisonRun::path(std::size_t planner, std::size_t query) const {
-  const std::vector<Path> legs = again(planner, query, nullptr);
-  if (legs.empty() || std::ranges::any_of(legs, &Path::empty)) return {};
-  const Path path = end_to_end(legs);
+  const Path path = again(planner, query, nullptr).path;
   const Path& lead = comparison_.queries[query].rows[planner].lead;
-  return lead.empty() ? path : joined(lead, path);
+  return path.empty() || lead.empty() ? path : joined(lead, path);
 }
 
 }  // namespace wend

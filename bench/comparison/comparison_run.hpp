@@ -42,10 +42,8 @@ class ComparisonRun {
   /// planner.
   void answer(const CellPair& cells, const Limits& limits = {});
 
-  /// The same for a query with one or more goals, in the grid coordinates of any motion, with its limits; through vias,
-  /// which are passed in this order. A closed path ends where it begins, and the goals are ignored. What is counted and
-  /// timed is the sum of the legs.
-  void answer(Query query, const std::vector<Goal>& vias = {}, bool closed = false);
+  /// The same for a query with one or more goals, in the grid coordinates of any motion, with its limits.
+  void answer(Query query);
 
   /// `reason` is set for cars; for other planners only if they could not be made.
   Comparison& comparison() { return comparison_; }
@@ -56,7 +54,7 @@ class ComparisonRun {
   /// How a planner on cells moves; the default for others.
   GridMoves grid_moves(std::size_t planner) const;
 
-  /// Records a planner's search of an answered query, as far as it went; of all its legs.
+  /// Records a planner's search of an answered query, as far as it went.
   SearchRecorder record(std::size_t planner, std::size_t query) const;
 
   /// The path that the planner finds for it; empty if it finds none.
@@ -65,10 +63,10 @@ class ComparisonRun {
  private:
   explicit ComparisonRun(FreeSpace space) : space_(std::move(space)) {}
 
-  ComparisonRow answer_of(std::size_t planner, const Query& query, const ComparedQuery& compared);
-  Status plan_eased(TimedPlanner& timed, const Query& query, const Leeway& leeway,
-                    ComparisonRow& row);
-  std::vector<Path> again(std::size_t planner, std::size_t query, SearchObserver* observer) const;
+  ComparisonRow answer_of(std::size_t planner, const Query& query);
+  Status plan_eased(TimedPlanner& timed, const Query& query, ComparisonRow& row);
+  static void describe(const Path& path, const FreeSpace& space, ComparisonRow& row);
+  Plan again(std::size_t planner, std::size_t query, SearchObserver* observer) const;
 
   FreeSpace space_;
   std::vector<PlannerSpec> specs_;

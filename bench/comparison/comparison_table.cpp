@@ -105,7 +105,6 @@ bool has_wanted_unit(const Measure& measure, bool metric) {
 /// For one query: the measures of paths, or of searches, as far as there is room.
 bool is_shown_of_one(const Measure& measure, bool of_path, bool headings) {
   if (measure.key == "cost_ratio" || measure.title == "turning radius") return false;
-  if (measure.title.empty()) return false;
   if (measure.title == "mean clearance" && headings) return false;
   return measure.of_path == of_path;
 }
@@ -192,7 +191,7 @@ std::vector<bool> best_solvers(const Comparison& comparison) {
 }
 
 bool is_shown_of_many(const Measure& measure, bool metric) {
-  return measure.key != "cost" && !measure.title.empty() && has_wanted_unit(measure, metric);
+  return measure.key != "cost" && has_wanted_unit(measure, metric);
 }
 
 /// "length, m"

@@ -25,29 +25,35 @@ constexpr Frame kMetric{.resolution = 0.5, .metric = true};
 
 const ComparisonRow kAStar{.planner = "astar",
                            .cost = 10.25,
-                           .measured = {.length = 10.25,
-                                        .turning = kPi / 2,
-                                        .rounded_turning_radius = 2,
-                                        .smallest_clearance = 1.5,
-                                        .mean_clearance = 3,
-                                        .deviation = 4},
-                           .metrics = {120, 200, 80},
+                           .length = 10.25,
+                           .turning = 90,
+                           .largest_curvature = 0.5,
+                           .smallest_clearance = 1.5,
+                           .mean_clearance = 3,
+                           .expanded = 120,
+                           .generated = 200,
+                           .max_frontier = 80,
                            .times = {2e-6, 45.67e-6, 12.34e-6}};
 const ComparisonRow kGreedy{.planner = "greedy",
                             .cost = 14,
-                            .measured = {.length = 14,
-                                         .turning = 1.5 * kPi,
-                                         .rounded_turning_radius = 1,
-                                         .smallest_clearance = 2,
-                                         .mean_clearance = 2.5,
-                                         .deviation = 1},
-                            .metrics = {20, 60, 40},
+                            .length = 14,
+                            .turning = 270,
+                            .largest_curvature = 1,
+                            .smallest_clearance = 2,
+                            .mean_clearance = 2.5,
+                            .expanded = 20,
+                            .generated = 60,
+                            .max_frontier = 40,
                             .times = {1e-6, 6e-6, 3e-6}};
 const ComparisonRow kLost{.planner = "random_walk",
                           .status = Status::step_limit,
                           .reason = "the walk used up its steps",
                           .cost = kInfinity,
-                          .metrics = {3, 4, 1},
+                          .length = 0,
+                          .smallest_clearance = kInfinity,
+                          .expanded = 3,
+                          .generated = 4,
+                          .max_frontier = 1,
                           .times = {0.5e-6, 2e-6, 1e-6}};
 
 Comparison of_one(std::vector<ComparisonRow> rows, const Frame& frame = {}) {
@@ -116,7 +122,7 @@ TEST(ComparisonTable, HasStepsAndReversalsOfACar) {
   Comparison comparison = of_one({kAStar, kLost});
   comparison.capabilities.headings = true;
   comparison.queries[0].rows[0].steps = 12;
-  comparison.queries[0].rows[0].measured.reversals = 3;
+  comparison.queries[0].rows[0].reversals = 3;
   EXPECT_THAT(comparison_table(comparison), HasSubstr(" 1/cells  steps  reversals"));
   EXPECT_THAT(comparison_table(comparison), HasSubstr("      0.50     12          3"));
   comparison.queries.push_back(comparison.queries[0]);
@@ -195,7 +201,7 @@ run of a planner just made. later queries: the quickest of runs that fill 5 ms.
 
 TEST(ComparisonTable, HasNoMeanOfWhatIsInfinite) {
   ComparisonRow straight = kAStar;
-  straight.measured.rounded_turning_radius = kInfinity;
+  straight.largest_curvature = 0;
   const std::string table = comparison_table(of_two({straight, kGreedy}));
   EXPECT_THAT(table, HasSubstr("turning radius, cells  astar       inf*     -         inf*\n"
                                "                       greedy     1.00   1.00        1.00\n"));
@@ -232,7 +238,7 @@ TEST(ComparisonJson, HasEveryRow) {
       "length_m": 5.125, "turning_degrees": 90, "curvature_per_cell": 0.5,
       "curvature_per_m": 1, "turning_radius_cells": 2, "turning_radius_m": 1,
       "clearance_cells": 1.5, "clearance_m": 0.75, "mean_clearance_cells": 3,
-      "mean_clearance_m": 1.5, "deviation_cells": 4, "deviation_m": 2,
+      "mean_clearance_m": 1.5,
       "metrics": {"expanded": 120, "generated": 200, "max_frontier": 80},
       "times": {"preparation_us": 2, "first_query_us": 45.67, "later_query_us": 12.34}})"));
   EXPECT_EQ(query.at("planners").at(1), json::parse(R"({
@@ -240,7 +246,7 @@ TEST(ComparisonJson, HasEveryRow) {
       "cost": null, "length_cells": null, "length_m": null, "turning_degrees": null,
       "curvature_per_cell": null, "curvature_per_m": null, "turning_radius_cells": null,
       "turning_radius_m": null, "clearance_cells": null, "clearance_m": null,
-      "mean_clearance_cells": null, "mean_clearance_m": null, "deviation_cells": null, "deviation_m": null,
+      "mean_clearance_cells": null, "mean_clearance_m": null,
       "metrics": {"expanded": 3, "generated": 4, "max_frontier": 1},
       "times": {"preparation_us": 0.5, "first_query_us": 2, "later_query_us": 1}})"));
   EXPECT_EQ(read.at("solved_by_all"), 0);
@@ -251,7 +257,7 @@ TEST(ComparisonJson, HasEveryRow) {
 /// A drive, with and without a heading at its goal.
 Comparison of_a_car(std::vector<ComparisonRow> rows) {
   rows.front().steps = 12;
-  rows.front().measured.reversals = 3;
+  rows.front().reversals = 3;
   Comparison comparison{kMetric, {}, {.headings = true}};
   comparison.queries.push_back({{1, 2, 0}, {Pose{3.5, 4, -kPi / 2}}, rows});
   comparison.queries.push_back({{1, 2, 0.25}, {Goal(Point{3, 4})}, rows});
@@ -282,20 +288,20 @@ TEST(ComparisonJson, IsOneLine) {
 TEST(ComparisonCsv, HasALineForEachQueryAndPlanner) {
   ComparisonRow open_map = kGreedy;
   open_map.planner = "greedy:a=1,b=\"2\"";
-  open_map.measured.smallest_clearance = kInfinity;
+  open_map.smallest_clearance = kInfinity;
   EXPECT_EQ("\n" + comparison_csv(of_one({kAStar, open_map, kLost}, kMetric)), R"(
-start_x,start_y,goal_x,goal_y,planner,status,cost,length_cells,length_m,turning_degrees,curvature_per_cell,curvature_per_m,turning_radius_cells,turning_radius_m,clearance_cells,clearance_m,mean_clearance_cells,mean_clearance_m,deviation_cells,deviation_m,expanded,generated,max_frontier,preparation_us,first_query_us,later_query_us,reason
-1,2,3,4,astar,found,10.25,10.25,5.125,90,0.5,1,2,1,1.5,0.75,3,1.5,4,2,120,200,80,2,45.67,12.34,
-1,2,3,4,"greedy:a=1,b=""2""",found,14,14,7,270,1,2,1,0.5,inf,inf,2.5,1.25,1,0.5,20,60,40,1,6,3,
-1,2,3,4,random_walk,step_limit,,,,,,,,,,,,,,,3,4,1,0.5,2,1,the walk used up its steps
+start_x,start_y,goal_x,goal_y,planner,status,cost,length_cells,length_m,turning_degrees,curvature_per_cell,curvature_per_m,turning_radius_cells,turning_radius_m,clearance_cells,clearance_m,mean_clearance_cells,mean_clearance_m,expanded,generated,max_frontier,preparation_us,first_query_us,later_query_us,reason
+1,2,3,4,astar,found,10.25,10.25,5.125,90,0.5,1,2,1,1.5,0.75,3,1.5,120,200,80,2,45.67,12.34,
+1,2,3,4,"greedy:a=1,b=""2""",found,14,14,7,270,1,2,1,0.5,inf,inf,2.5,1.25,20,60,40,1,6,3,
+1,2,3,4,random_walk,step_limit,,,,,,,,,,,,,3,4,1,0.5,2,1,the walk used up its steps
 )");
 }
 
 TEST(ComparisonCsv, HasHeadingsStepsAndReversalsOfACar) {
   EXPECT_EQ("\n" + comparison_csv(of_a_car({kAStar})), R"(
-start_x,start_y,start_heading,goal_x,goal_y,goal_heading,planner,status,cost,length_cells,length_m,turning_degrees,curvature_per_cell,curvature_per_m,turning_radius_cells,turning_radius_m,steps,reversals,clearance_cells,clearance_m,mean_clearance_cells,mean_clearance_m,deviation_cells,deviation_m,expanded,generated,max_frontier,preparation_us,first_query_us,later_query_us,reason
-1,2,E,3.5,4,N,astar,found,10.25,10.25,5.125,90,0.5,1,2,1,12,3,1.5,0.75,3,1.5,4,2,120,200,80,2,45.67,12.34,
-1,2,0.25,3,4,any,astar,found,10.25,10.25,5.125,90,0.5,1,2,1,12,3,1.5,0.75,3,1.5,4,2,120,200,80,2,45.67,12.34,
+start_x,start_y,start_heading,goal_x,goal_y,goal_heading,planner,status,cost,length_cells,length_m,turning_degrees,curvature_per_cell,curvature_per_m,turning_radius_cells,turning_radius_m,steps,reversals,clearance_cells,clearance_m,mean_clearance_cells,mean_clearance_m,expanded,generated,max_frontier,preparation_us,first_query_us,later_query_us,reason
+1,2,E,3.5,4,N,astar,found,10.25,10.25,5.125,90,0.5,1,2,1,12,3,1.5,0.75,3,1.5,120,200,80,2,45.67,12.34,
+1,2,0.25,3,4,any,astar,found,10.25,10.25,5.125,90,0.5,1,2,1,12,3,1.5,0.75,3,1.5,120,200,80,2,45.67,12.34,
 )");
 }
 
@@ -307,9 +313,9 @@ double nth_of(std::vector<double> values, double share) {
 }
 
 ComparisonRow random_row(Random& random, const std::string& planner) {
-  ComparisonRow row{.planner = planner, .metrics = {.expanded = random.below(1000)}};
-  row.cost = row.measured.length = random.between(10, 40);
-  row.measured.smallest_clearance = random.between(1, 9) / 2.0;
+  ComparisonRow row{.planner = planner, .expanded = random.below(1000)};
+  row.cost = row.length = random.between(10, 40);
+  row.smallest_clearance = random.between(1, 9) / 2.0;
   row.times = {random.uniform(), random.uniform(), random.uniform()};
   if (random.chance(0.1)) row.status = Status::unreachable;
   return row;
@@ -326,9 +332,9 @@ RC_GTEST_PROP(ComparisonJson, StatisticsAreThoseOfTheQueriesThatAllSolved, ()) {
     const ComparisonRow b = random_row(random, "b");
     comparison.queries.push_back({pose_at({0, 0}), {pose_at({1, 1})}, {a, b}});
     if (!a.found() || !b.found()) continue;
-    expanded.push_back(static_cast<double>(a.metrics.expanded));
+    expanded.push_back(static_cast<double>(a.expanded));
     ratios.push_back(a.cost / std::min(a.cost, b.cost));
-    worse_clearances.push_back(-a.measured.smallest_clearance);
+    worse_clearances.push_back(-a.smallest_clearance);
   }
   RC_PRE(!expanded.empty());
   const json read = json::parse(comparison_json(comparison));

@@ -204,12 +204,12 @@ TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& ty
 }
 
 TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed,
-                          const PlaceGrid& places, const std::string& name) {
+                          const PlaceGrid& places) {
   const Parts parts = parts_of(typed);
-  TypedPose pose = parse(coordinates, name, typed, parts, places);
+  TypedPose pose = parse(coordinates, "goal", typed, parts, places);
   if (!parts.heading || *parts.heading == kAny) return pose;
   pose.heading = parse_typed_heading(*parts.heading, coordinates.frame());
-  if (!pose.heading) refuse_heading(name, typed, *parts.heading, ", nor any");
+  if (!pose.heading) refuse_heading("goal", typed, *parts.heading, ", nor any");
   return pose;
 }
 

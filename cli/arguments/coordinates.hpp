@@ -98,9 +98,8 @@ struct TypedPose {
 TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& typed,
                            const PlaceGrid& places = {.offset = 0});
 
-/// The same for a goal, or for what `name` says. Throws InputError for any other text.
+/// The same for a goal. Throws InputError for any other text.
 TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed,
-                          const PlaceGrid& places = {.offset = 0},
-                          const std::string& name = "goal");
+                          const PlaceGrid& places = {.offset = 0});
 
 }  // namespace wend::cli

@@ -64,19 +64,11 @@ void MapFileArguments::add_to(Parser& app, const std::string& name) {
   };
   app.add_list(
          "--mask", assign_masks,
-         wrapped(
-             "Mask over the map, [keepout:]FILE, speed:FILE, oneway:FILE or height:FILE; can "
-             "be repeated. Occupied "
-             "cells of a keep-out mask (a map file) are blocked, and its costs multiply "
-             "those of the map. Values 1 to 100 of a speed mask (a map.yaml with mode: "
-             "scale or raw) are percent of the top speed, and make a cell cost its time; "
-             "speed:base=B:multiplier=M:FILE reads v as B + M v, and top_speed=T: as m/s. "
-             "Colours of a one-way mask (a PNG) are headings: the hue is the angle on the page, "
-             "red to the right, cyan to the left; oneway:tolerance=DEG:factor=F:FILE allows "
-             "headings that near (90) and lets others cost F times as much instead of "
-             "forbidding them. Greys of a height mask are heights: "
-             "height:FILE:climb=C:descend=D:step=S makes a unit of height, of S per grey of "
-             "255 (0.1), cost C or D units of way"))
+         wrapped("Mask over the map, [keepout:]FILE or speed:FILE; can be repeated. Occupied "
+                 "cells of a keep-out mask (a map file) are blocked, and its costs multiply "
+                 "those of the map. Values 1 to 100 of a speed mask (a map.yaml with mode: "
+                 "scale or raw) are percent of the top speed, and make a cell cost its time; "
+                 "speed:base=B:multiplier=M:FILE reads v as B + M v, and top_speed=T: as m/s"))
       .one_at_a_time()
       .type_name(kFileType);
   app.further({"--resolution", "--mask"});

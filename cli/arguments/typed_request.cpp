@@ -18,11 +18,6 @@ void read_cells(PlanRequest& request, const Coordinates& coordinates, const EndA
     const Point point = coordinates.parse_in_grid("goal", goal);
     request.goals.push_back({.point = {point.x, point.y}, .heading = 0});
   }
-  for (const std::string& via : ends.vias) {
-    request.texts.vias.push_back(coordinates.parse("via", via).text);
-    const Point point = coordinates.parse_in_grid("via", via);
-    request.vias.push_back({.point = {point.x, point.y}});
-  }
 }
 
 void read_poses(PlanRequest& request, const Coordinates& coordinates, const PlaceGrid& places,
@@ -34,11 +29,6 @@ void read_poses(PlanRequest& request, const Coordinates& coordinates, const Plac
     const TypedPose pose = parse_goal_pose(coordinates, goal, places);
     request.texts.goals.push_back(pose.text);
     request.goals.push_back({.point = {pose.point.x, pose.point.y}, .heading = pose.heading});
-  }
-  for (const std::string& via : ends.vias) {
-    const TypedPose pose = parse_goal_pose(coordinates, via, places, "via");
-    request.texts.vias.push_back(pose.text);
-    request.vias.push_back({.point = {pose.point.x, pose.point.y}, .heading = pose.heading});
   }
 }
 
@@ -52,25 +42,6 @@ void add_goal_tolerance(Parser& app, std::string& tolerance) {
       .type_name("DISTANCE[,DEGREES]");
 }
 
-void add_vias(Parser& app, EndArguments& ends) {
-  add_texts(app, "--via", ends.vias,
-            "Place to pass on the way from the start to the goal; several are passed in the order "
-            "in which they are given. Planners with headings reach it with any heading unless it "
-            "has one, and go on from there with that heading")
-      .type_name("X,Y[,HEADING]");
-  app.add_flag("--closed", ends.closed,
-               wrapped("End where the path begins: with --via, in place of --goal"));
-}
-
-void check_vias(const EndArguments& ends) {
-  if (!ends.closed) return;
-  if (!ends.goals.empty()) {
-    throw InputError("--closed ends the path at its start: leave out --goal, or --closed");
-  }
-  if (ends.vias.empty())
-    throw InputError("--closed needs a place to come back from: add --via X,Y");
-}
-
 PlanRequest typed_request(const PlannerSpec& planner, const FreeSpace& space,
                           const Coordinates& coordinates, const EndArguments& ends) {
   PlanRequest request;
@@ -79,7 +50,6 @@ PlanRequest typed_request(const PlannerSpec& planner, const FreeSpace& space,
   request.wording = coordinates.metric() ? MapUnits::metres : MapUnits::cells;
   const PlannerInfo& info = info_of(planner);
   const bool poses = info.capabilities.headings;
-  request.closed = ends.closed;
   if (poses) {
     read_poses(request, coordinates, places_of(info, space, planner.options), ends);
   } else {

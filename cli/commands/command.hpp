@@ -15,8 +15,6 @@ struct Command {
 
 Command add_plan(Parser& app);
 Command add_field(Parser& app);
-Command add_matrix(Parser& app);
-Command add_tour(Parser& app);
 Command add_index(Parser& app);
 Command add_planners(Parser& app);
 
@@ -27,7 +25,6 @@ Command add_generate(Parser& app);
 Command add_generate_scenario(Parser& generate);
 
 Command add_compare(Parser& app);
-Command add_cover(Parser& app);
 Command add_explore(Parser& app);
 Command add_explain(Parser& app);
 Command add_view(Parser& app);

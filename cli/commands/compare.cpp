@@ -31,7 +31,6 @@
 #include "cli/watching/watching.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/session/legs.hpp"
 
 namespace wend::cli {
 namespace {
@@ -58,7 +57,6 @@ constexpr const char* kCompareExamples = R"(Examples:
   wend compare office.yaml --start 1,1 --goal 15,9 -o compare.png
   wend compare office.yaml --start 1,1 --goal 15,9 -o compare.gif
   wend compare grid.txt --start 0,0 --goal 9,9 --planner astar:w=2,bfs
-  wend compare office.yaml --start 1,1 --via 8,2 --goal 15,9 --planner astar,jps
   wend compare office.yaml --random 200 --planner astar,bfs --plot plots.png
   wend compare grid.txt --start 0,0,E --goal 9,9 --planner car,car:w=2
 
@@ -75,8 +73,7 @@ constexpr std::array<std::string_view, 9> kTeachers{
 constexpr std::size_t kMostByDefault = 6;
 
 bool refuses(const PlannerInfo& info, const FreeSpace& space) {
-  const bool refuses_directions = space.directions() != nullptr && !info.capabilities.directions;
-  return refuses_directions || (!space.uniform_terrain() && terrain_in_words(info) == "refused");
+  return !space.uniform_terrain() && terrain_in_words(info) == "refused";
 }
 
 /// All planners that need headings as the typed start and the robot do, or six of those on cells.
@@ -113,13 +110,11 @@ PlaceGrid common_places(const std::vector<PlannerSpec>& planners, const FreeSpac
 
 void check(const CompareArguments& arguments) {
   const EndArguments& ends = arguments.ends;
-  check_vias(ends);
-  const bool pair = !ends.start.empty() || !ends.goals.empty() || !ends.vias.empty();
+  const bool pair = !ends.start.empty() || !ends.goals.empty();
   if (pair && arguments.random > 0) {
-    throw InputError("--random chooses the starts and goals: leave out --start, --goal and --via");
+    throw InputError("--random chooses the starts and goals: leave out --start and --goal");
   }
-  const bool ended = !ends.goals.empty() || ends.closed;
-  if (arguments.random == 0 && (ends.start.empty() || !ended)) {
+  if (arguments.random == 0 && (ends.start.empty() || ends.goals.empty())) {
     throw InputError("give one query with --start X,Y --goal X,Y, or many queries with --random N");
   }
   if (arguments.random > kMostQueries) {
@@ -137,30 +132,10 @@ void check(const CompareArguments& arguments) {
 }
 
 /// What was asked as one of the planners understands it.
-PlanRequest request_for(const PlannerSpec& planner, const CompareArguments& arguments,
-                        const FreeSpace& space) {
-  const Coordinates coordinates = arguments.map.coordinates(space.map());
-  return typed_request(planner, space, coordinates, arguments.ends);
-}
-
 Query query_for(const PlannerSpec& planner, const CompareArguments& arguments,
                 const FreeSpace& space) {
-  return query_of(request_for(planner, arguments, space), space.map().frame());
-}
-
-std::vector<Goal> vias_for(const PlannerSpec& planner, const CompareArguments& arguments,
-                           const FreeSpace& space) {
-  if (arguments.ends.vias.empty()) return {};
-  const PlanRequest request = request_for(planner, arguments, space);
-  return goals_in_grid(request.vias, request.coordinates, space.map().frame());
-}
-
-/// The map, and what was asked on it.
-Scene scene_for(const PlannerSpec& planner, const CompareArguments& arguments,
-                const FreeSpace& space) {
-  Scene scene = query_scene(planner, space, query_for(planner, arguments, space));
-  scene.vias = places_of_goals(vias_for(planner, arguments, space));
-  return scene;
+  const Coordinates coordinates = arguments.map.coordinates(space.map());
+  return query_of(typed_request(planner, space, coordinates, arguments.ends), space.map().frame());
 }
 
 std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
@@ -186,14 +161,12 @@ std::vector<Query> queries_of(const ComparisonRun& run, const CompareArguments& 
   return {query_for(run.planners().front(), arguments, space)};
 }
 
-void answer_all(ComparisonRun& run, std::vector<Query> queries, const std::vector<Goal>& vias,
-                const CompareArguments& arguments) {
-  const LimitArguments& limits = arguments.limits;
+void answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArguments& limits) {
   ProgressBar progress("comparing", queries.size());
   ProgressBar within_a_query("", 0);
   for (std::size_t i = 0; i < queries.size(); ++i) {
     queries[i].limits = limits.limits(within_a_query);
-    run.answer(std::move(queries[i]), vias, arguments.ends.closed);
+    run.answer(std::move(queries[i]));
     progress.update(i + 1);
   }
 }
@@ -203,17 +176,13 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
   const Coordinates coordinates = arguments.map.coordinates(space.map());
   const Limits limits = arguments.limits.limits();
   for (ComparedQuery& query : run.comparison().queries) {
-    const std::vector<PlanLeg> legs = named_legs(query.vias.size(), query.closed);
+    Ends ends{coordinates.place("start", cell_at(query.start.point())), {}};
+    for (const Goal& goal : query.goals) {
+      ends.goals.push_back(coordinates.place("goal", cell_at(goal.point)));
+    }
     for (std::size_t i = 0; i < query.rows.size(); ++i) {
       ComparisonRow& row = query.rows[i];
-      if (row.found() || row.eased.empty()) continue;
-      const bool alone = legs.size() == 1;
-      const EasedEnds asked = alone ? EasedEnds{query.start, query.goals} : row.eased.back();
-      Ends ends{coordinates.place("start", cell_at(asked.start.point())), {}};
-      for (const Goal& goal : asked.goals) {
-        ends.goals.push_back(coordinates.place("goal", cell_at(goal.point)));
-      }
-      const SearchMetrics& metrics = row.metrics;
+      const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
       Explainer explainer = explainer_for(space, coordinates, run.grid_moves(i));
       explainer.allow(arguments.request.leeway(coordinates));
       if (is_limit(row.status)) {
@@ -221,18 +190,14 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
       } else if (!row.failure.causes.empty()) {
         row.reason = row.failure.headings ? explainer.words(row.failure, metrics)
                                           : explainer.explain(row.failure, ends, metrics);
-      } else {
-        continue;
       }
-      if (!alone) row.reason.insert(0, leg_words(legs, row.eased.size() - 1));
     }
   }
 }
 
 std::string caption_of(const ComparisonRow& row, const std::string& cost_name) {
-  if (!row.found())
-    return fmt::format("{}, {} expanded", describe(row.status), row.metrics.expanded);
-  return fmt::format("{} {:.6g}, {} expanded", cost_name, row.cost, row.metrics.expanded);
+  if (!row.found()) return fmt::format("{}, {} expanded", describe(row.status), row.expanded);
+  return fmt::format("{} {:.6g}, {} expanded", cost_name, row.cost, row.expanded);
 }
 
 /// A panel for each planner: what it expanded for the first query, and its path.
@@ -243,7 +208,7 @@ std::vector<Panel> panels_of(const ComparisonRun& run, const CompareArguments& a
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     const SearchSnapshot snapshot = run.record(i, 0).snapshot();
     const PlannerSpec& planner = run.planners()[i];
-    Scene scene = scene_for(planner, arguments, space);
+    Scene scene = query_scene(planner, space, query_for(planner, arguments, space));
     scene.path = run.path(i, 0);
     scene.marked = {{CellRole::expanded, snapshot.expanded},
                     {CellRole::frontier, snapshot.frontier}};
@@ -263,7 +228,7 @@ Expected<std::string, Error> film_of(const ComparisonRun& run, const CompareArgu
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     recorders.push_back(run.record(i, 0));
     const PlannerSpec& planner = run.planners()[i];
-    Scene outcome = scene_for(planner, arguments, space);
+    Scene outcome = query_scene(planner, space, query_for(planner, arguments, space));
     outcome.path = run.path(i, 0);
     searches.push_back({query.rows[i].planner, std::move(outcome), &recorders.back()});
   }
@@ -328,8 +293,7 @@ int run(const CompareArguments& arguments) {
   if (!made) throw InputError(made.error().message);
   ComparisonRun& run = *made;
   run.allow(arguments.request.leeway(arguments.map.coordinates(loaded.map)));
-  answer_all(run, queries_of(run, arguments, space),
-             vias_for(run.planners().front(), arguments, space), arguments);
+  answer_all(run, queries_of(run, arguments, space), arguments.limits);
   give_reasons(run, arguments, space);
   print(text_of(run.comparison(), arguments.format));
   write_files(arguments, run, space);
@@ -350,7 +314,6 @@ Command add_compare(Parser& app) {
             "Goal, as in `wend plan`; if given several times, the goal with the lowest path cost")
       .type_name("X,Y[,HEADING]");
   add_goal_tolerance(compare, arguments->ends.tolerance);
-  add_vias(compare, arguments->ends);
   arguments->request.add_to(compare, {"nearest", "nearest_limit", "escape", "closest"});
   compare
       .add_option(

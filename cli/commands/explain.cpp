@@ -112,13 +112,7 @@ std::string ExplainRun::causes() const {
     if (way->changes() > 1) return explanation_line(what, "a part of the cause");
     return explanation_line(what, fmt::format("the cause: {}", otherwise));
   };
-  const std::string arrows =
-      space_.directions() == nullptr
-          ? ""
-          : explanation_line("arrows", why_.arrow ? "the cause: reachable against the arrow at " +
-                                                        coordinates_.text(*why_.arrow)
-                                                  : "not the cause");
-  return arrows + says(&Way::smaller_robot, "robot's size", "there is a path for a smaller robot") +
+  return says(&Way::smaller_robot, "robot's size", "there is a path for a smaller robot") +
          says(&Way::unknown_free, "unknown cells", "there is a path through them") +
          says(&Way::squeeze, "corner rule",
               "there is a path between obstacles that touch at a corner") +
@@ -152,11 +146,6 @@ std::string ExplainRun::text() const {
                                                       : "none, even with radius 0: " + parted());
   if (why_.path_exists()) return text;
   text += causes();
-  if (why_.arrow) {
-    return text + explanation_line("would help",
-                                   "a factor for moves against the arrow instead "
-                                   "of none (--mask oneway:factor=10:FILE)");
-  }
   for (const Way& way : why_.ways) {
     text += explanation_line(way.widest.path.empty() ? "" : "would help", explainer_.change(way));
   }

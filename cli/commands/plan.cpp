@@ -35,7 +35,6 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend plan grid.txt --planner ara_star --limit-time 0.05 --start 0,0 --goal 9,9
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth --trajectory drive.csv
-  wend plan office.yaml --start 1,1 --via 8,2 --via 15,5 --closed -o loop.png
   wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv
   wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o -
 
@@ -102,34 +101,6 @@ void check_plot(const PlanArguments& arguments, const PlannerSpec& planner) {
 /// Options that the command sets with a flag of its own: a smoother has one, too.
 bool has_flag_of_its_own(const OptionInfo& option) { return option.name == "turning_radius"; }
 
-/// Throws InputError for flags that do not go with --via: a search is watched, and there is one for each leg.
-void check_vias(const Parser& plan, const PlanArguments& arguments) {
-  const bool passes_vias = !arguments.ends.vias.empty();
-  if (!passes_vias || !arguments.trajectory.wanted()) {
-    refuse_idle(plan, {"--stop"}, "it needs --via and --trajectory");
-  }
-  if (!passes_vias) return;
-  for (const char* const flag :
-       {"--step", "--animate", "--open-list", "--verbose", "--trace", "--plot"}) {
-    if (const std::string typed = plan.typed(flag); !typed.empty()) {
-      throw InputError(fmt::format(
-          "{} cannot be combined with --via, which makes a search for each leg: plan one leg",
-          typed));
-    }
-  }
-  if (arguments.output.any(".gif")) {
-    throw InputError(
-        "-o FILE.gif shows one search, and --via makes one for each leg: use a "
-        "picture (.png, .svg, .pdf)");
-  }
-  if (arguments.layers.any_from(LayerSource::search) ||
-      arguments.layers.any_from(LayerSource::cost_to_go)) {
-    throw InputError(
-        "--show: with --via, which makes a search for each leg, only the layers of "
-        "the map can be shown");
-  }
-}
-
 /// The only thing that is printed or written is the path as CSV.
 bool is_csv_alone(const PlanArguments& arguments) {
   const OutputFiles& output = arguments.output;
@@ -145,7 +116,7 @@ void check_idle(const Parser& plan, const PlanArguments& arguments) {
   if (!arguments.queries.empty()) {
     refuse_idle(plan,
                 {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding",
-                 "--trajectory", "--plot", "--times", "--via", "--closed", "--stop"},
+                 "--trajectory", "--plot", "--times"},
                 "--queries only answers queries; it draws, smooths and times nothing");
   }
   arguments.pictures.check(plan, output.any_picture() || !arguments.plot.empty(),
@@ -159,7 +130,6 @@ void check_idle(const Parser& plan, const PlanArguments& arguments) {
   if (is_csv_alone(arguments)) {
     refuse_idle(plan, {"--show"}, "a CSV file has no layers; use -o FILE.png or JSON");
   }
-  check_vias(plan, arguments);
   arguments.trajectory.check(plan, output);
   if (!arguments.refine.any() && !arguments.trajectory.wanted()) {
     refuse_idle(plan, {"--corner-rounding"},
@@ -181,10 +151,7 @@ void check(const PlanArguments& arguments) {
   arguments.trajectory.limits();  // wrong ones are refused before the search
   if (!arguments.queries.empty()) return check_queries(arguments);
   if (arguments.ends.start.empty()) throw InputError("--start is required, or --queries FILE");
-  check_vias(arguments.ends);
-  if (arguments.ends.goals.empty() && !arguments.ends.closed) {
-    throw InputError("--goal is required, or --queries FILE");
-  }
+  if (arguments.ends.goals.empty()) throw InputError("--goal is required, or --queries FILE");
   arguments.watch.check(detect_screen());
   if (arguments.watch.step && arguments.format != TableFormat::text) {
     throw InputError("--step cannot be combined with --format json or csv");
@@ -261,7 +228,6 @@ Command add_plan(Parser& app) {
             "heading may be left out or any")
       .type_name("X,Y[,HEADING]");
   add_goal_tolerance(plan, arguments->ends.tolerance);
-  add_vias(plan, arguments->ends);
   plan.add_option("--queries", arguments->queries,
                   wrapped("Answer every row of a CSV file instead. Its header names the columns "
                           "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
@@ -282,10 +248,6 @@ Command add_plan(Parser& app) {
   arguments->refine.add_to(plan);
   arguments->trajectory.add_file_to(plan);
   arguments->trajectory.add_limits_to(plan);
-  plan.add_flag(
-      "--stop", arguments->stop,
-      wrapped("The trajectory stops at each --via; else the robot passes it like any other "
-              "point of the path"));
   arguments->limits.add_to(plan);
   add_choice<TableFormat>(
       plan, "--format", arguments->format,
@@ -316,8 +278,7 @@ Command add_plan(Parser& app) {
     arguments->options.mention(planner.name, options);
   }
   arguments->options.add_to(plan, "--planner");
-  plan.further(
-      {"--goal-tolerance", "--via", "--closed", "--stop", "--threads", "--index", "--plot"});
+  plan.further({"--goal-tolerance", "--threads", "--index", "--plot"});
   plan.footer(kPlanExamples);
   return {plan, [plan, arguments] {
             check_idle(plan, *arguments);

@@ -70,7 +70,6 @@ PlanRun::PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec p
   request_.refinement = arguments.refine.refinement(coordinates_);
   request_.corner_rounding = arguments.refine.rounding(coordinates_);
   if (arguments.trajectory.wanted()) request_.trajectory = arguments.trajectory.limits();
-  request_.stops_at_vias = arguments.stop;
   arguments.request.put(request_, coordinates_);
   if (!poses || !request_.refinement.simplify) return;
   throw InputError(fmt::format(
@@ -80,7 +79,6 @@ PlanRun::PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec p
 
 /// On large maps a search is slowed down only for those who ask for what it did.
 bool PlanRun::records() const {
-  if (request_.has_legs()) return false;
   const WatchArguments& watch = arguments_.watch;
   return is_small(space_.map(), Screen{}) || steps() || watch.animate ||
          arguments_.layers.any_from(LayerSource::search) || arguments_.output.any(".gif");
@@ -102,7 +100,7 @@ void PlanRun::plan() {
     }
     describe(**planner);
   }
-  request_.has_legs() ? plan_legs() : search();
+  search();
 }
 
 void PlanRun::describe(const Planner& planner) {
@@ -169,33 +167,9 @@ void PlanRun::search() {
   } else {
     step_to_the_end(*steps, *run);
   }
-  auto answer = run->finish();
-  take(std::move(answer), run->notes());
+  take(run->finish(), *run);
   if (trace && result_.status != Status::cancelled) write_trace(*trace);
   make_layers(run->planner(), asked.limits);
-}
-
-/// A search for each leg, of which none is watched.
-void PlanRun::plan_legs() {
-  ProgressBar progress("planning", result_.states);
-  const PlanRequest asked = request(progress);
-  const Interruptible interruptible;
-  auto answer = session_.plan(view_, asked, deadline_);
-  const std::vector<std::string> notes = answer ? answer->notes : std::vector<std::string>{};
-  if (!answer) look_at(answer.error().legs.size());
-  take(std::move(answer), notes);
-}
-
-/// Makes the ends of a leg, counted from 1, what is explained and drawn; 0: none was begun.
-void PlanRun::look_at(std::size_t leg) {
-  const Frame& frame = space_.map().frame();
-  const std::vector<Goal> vias = goals_in_grid(request_.vias, request_.coordinates, frame);
-  if (request_.closed) asked_.goals = {Goal(asked_.start)};
-  if (leg == 0) return;
-  if (leg <= vias.size()) asked_.goals = {vias[leg - 1]};
-  if (leg == 1) return;
-  const Goal& from = vias[leg - 2];
-  asked_.start = {from.point.x, from.point.y, from.heading.value_or(0)};
 }
 
 PosthocTrace PlanRun::trace_of(const Query& query) const {
@@ -213,12 +187,10 @@ void PlanRun::run_to_the_end(SearchRun& run) {
 }
 
 /// What was found, or why nothing was, and what is said of it.
-void PlanRun::take(Expected<PlanAnswer, RequestFailure> answer,
-                   const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) complain(note);
+void PlanRun::take(Expected<PlanAnswer, RequestFailure> answer, const SearchRun& run) {
+  for (const std::string& note : run.notes()) complain(note);
   if (answer) {
     PlanAnswer& done = *answer;
-    result_.legs = std::move(done.legs);
     result_.notes = std::move(done.notes);
     result_.plan = std::move(done.plan);
     result_.times.search = done.search_seconds;
@@ -234,8 +206,7 @@ void PlanRun::take(Expected<PlanAnswer, RequestFailure> answer,
     result_.trajectory = arguments_.trajectory.sampled(*std::move(done.trajectory));
     return;
   }
-  result_.legs = std::move(answer.error().legs);
-  result_.notes = notes;
+  result_.notes = run.notes();
   if (!result_.planned_as_disc.empty()) {
     result_.notes.push_back("the robot is " + result_.planned_as_disc);
   }
@@ -330,13 +301,7 @@ void PlanRun::fail(Status status, std::string reason) {
   result_.reason = std::move(reason);
 }
 
-Scene PlanRun::scene() const {
-  Scene scene = query_scene(spec_, space_, asked_);
-  if (result_.status != Status::found) return scene;
-  const Frame& frame = space_.map().frame();
-  scene.vias = places_of_goals(goals_in_grid(request_.vias, request_.coordinates, frame));
-  return scene;
-}
+Scene PlanRun::scene() const { return query_scene(spec_, space_, asked_); }
 
 /// A path may cross itself, as a random walk does, which arrows cannot show, and a search that was stopped has no path:
 /// the cells that they visited are shown instead.
@@ -440,10 +405,7 @@ std::string PlanRun::json() const {
 /// Of a failure: what there is to see of the reason, and the reason in words.
 std::vector<Panel> PlanRun::panels() const {
   if (result_.status == Status::found) return layer_panels(outcome(), layers_);
-  // Of a path through vias, the leg that failed is shown.
-  const SearchMetrics& search =
-      result_.legs.empty() ? result_.plan.metrics : result_.legs.back().metrics;
-  const bool gave_up = search.expanded > 0 && result_.status != Status::unreachable;
+  const bool gave_up = result_.plan.metrics.expanded > 0 && result_.status != Status::unreachable;
   std::vector<Panel> panels{
       {fmt::format("no path: {}", to_string(result_.status)),
        gave_up ? outcome()

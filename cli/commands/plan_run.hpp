@@ -47,7 +47,6 @@ struct PlanArguments {
   PictureArguments pictures;
   ShownLayers layers;
   WatchArguments watch;
-  bool stop = false;   // the trajectory stops at each via
   bool times = false;  // of every stage, and memory, are told
   std::string plot;
   OutputFiles output;
@@ -74,14 +73,12 @@ class PlanRun {
   void describe(const Planner& planner);
   PlanRequest request(ProgressBar& progress) const;
   void search();
-  void plan_legs();
-  void look_at(std::size_t leg);
   PosthocTrace trace_of(const Query& query) const;
   void run_to_the_end(SearchRun& run);
   std::optional<Status> go_on(SteppedSearch& search, const SearchRun& run);
   void step_to_the_end(SteppedSearch& search, SearchRun& run);
   void step_by_keys(SteppedSearch& search, SearchRun& run);
-  void take(Expected<PlanAnswer, RequestFailure> answer, const std::vector<std::string>& notes);
+  void take(Expected<PlanAnswer, RequestFailure> answer, const SearchRun& run);
   void take_fault(const Error& fault, bool refined);
   void make_layers(const Planner& planner, const Limits& limits);
   void fail(Status status, std::string reason);

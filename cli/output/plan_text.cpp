@@ -97,21 +97,6 @@ double most_megabytes() {
   return static_cast<double>(usage.ru_maxrss) * kKilobytes / 1e6;
 }
 
-/// A line for each leg; empty without vias.
-std::string leg_lines(const PlanResult& result, const Frame& frame) {
-  std::string text;
-  for (const PlanLeg& leg : result.legs) {
-    const double off = leg.goal_shift / frame.resolution;
-    text += named_line(
-        text.empty() ? "legs" : "",
-        fmt::format("{} to {}: {} {:.6g}, {}, {} expanded{}", leg.from, leg.to, result.cost_name,
-                    leg.cost, length_text(leg.length / frame.resolution, frame),
-                    leg.metrics.expanded,
-                    off > 1e-6 ? fmt::format("; ends {} beside it", length_text(off, frame)) : ""));
-  }
-  return text;
-}
-
 /// What was done where the robot cannot be; empty for most queries.
 std::string eased_lines(const PlanResult& result, const Frame& frame) {
   std::string text;
@@ -170,8 +155,7 @@ std::string cells_summary(const PlanResult& result, const Frame& frame) {
   return named_line("planner", result.planner) +
          named_line("cost", fmt::format("{:.6g}", plan.cost)) +
          named_line("length", length_text(plan.path.length(), frame)) + eased_lines(result, frame) +
-         leg_lines(result, frame) + named_line("quality", bound_text(plan)) +
-         solution_lines(result) + work_line(plan.metrics);
+         named_line("quality", bound_text(plan)) + solution_lines(result) + work_line(plan.metrics);
 }
 
 std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
@@ -187,8 +171,7 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
               : "") +
          named_line(result.cost_name, fmt::format("{:.6g}", plan.cost)) +
          named_line("length", length_text(plan.path.length(), frame)) + eased_lines(result, frame) +
-         leg_lines(result, frame) + named_line("quality", bound_text(plan)) +
-         solution_lines(result) +
+         named_line("quality", bound_text(plan)) + solution_lines(result) +
          work_line(plan.metrics, fmt::format("of {} states", result.states));
 }
 

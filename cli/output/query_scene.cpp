@@ -25,15 +25,6 @@ std::vector<Cell> cells_of_goals(const Query& query, const Units& units) {
   return cells;
 }
 
-std::vector<ScenePlace> places_of_goals(std::span<const Goal> goals) {
-  std::vector<ScenePlace> places;
-  for (const Goal& goal : goals) {
-    places.push_back(goal.heading ? ScenePlace(Pose{goal.point.x, goal.point.y, *goal.heading})
-                                  : ScenePlace(goal.point));
-  }
-  return places;
-}
-
 Scene query_scene(const PlannerSpec& planner, const FreeSpace& space, const Query& query) {
   Scene scene{.space = space};
   const PlannerInfo& info = info_of(planner);
@@ -44,7 +35,10 @@ Scene query_scene(const PlannerSpec& planner, const FreeSpace& space, const Quer
     return scene;
   }
   scene.start = query.start;
-  scene.goals = places_of_goals(query.goals);
+  for (const Goal& goal : query.goals) {
+    scene.goals.push_back(goal.heading ? ScenePlace(Pose{goal.point.x, goal.point.y, *goal.heading})
+                                       : ScenePlace(goal.point));
+  }
   scene.places = places_of(info, space, planner.options);
   return scene;
 }

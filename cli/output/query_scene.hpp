@@ -2,9 +2,6 @@
 
 // The map with what was asked for.
 
-#include <span>
-#include <vector>
-
 #include "cli/arguments/coordinates.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planners.hpp"
@@ -15,9 +12,6 @@ namespace wend::cli {
 
 /// The cells that the goals of a query lie in.
 std::vector<Cell> cells_of_goals(const Query& query, const Units& units);
-
-/// Goals or vias as what is drawn of them.
-std::vector<ScenePlace> places_of_goals(std::span<const Goal> goals);
 
 /// The map with the start and the goals of a query: cells, or poses where the planner's states have headings.
 Scene query_scene(const PlannerSpec& planner, const FreeSpace& space, const Query& query);

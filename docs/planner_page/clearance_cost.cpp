@@ -39,11 +39,13 @@ OfficeAnswers answers_in(const FreeSpace& space, const std::vector<CellPair>& qu
   for (std::size_t i = 0; i < queries.size(); ++i) {
     run->answer(queries[i]);
     const ComparisonRow& row = run->comparison().queries.back().rows.front();
-    const PathMetrics& metrics = row.measured;
+    const auto measured = measure(run->path(0, i), space);
+    assert(measured);
+    const PathMetrics& metrics = *measured;
     all.lengths.push_back(metrics.length * resolution);
     all.mean_clearances.push_back(metrics.mean_clearance * resolution);
     all.smallest_clearances.push_back(metrics.smallest_clearance * resolution);
-    all.expanded.push_back(static_cast<double>(row.metrics.expanded));
+    all.expanded.push_back(static_cast<double>(row.expanded));
     all.us.push_back(row.times.later * 1e6);
   }
   return all;

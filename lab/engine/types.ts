@@ -25,8 +25,7 @@ export interface PlannerInfo {
   guarantee: string;
   guaranteeText: string;
   when: string;
-  /** What it does with the costs of cells: 'costs count', 'ignored' or 'refused'. */
-  onTerrain: string;
+  terrain: string;
   headings: boolean;
   canStep: boolean;
   /** A search goes on from the last one; the command line shows no layers of it. */

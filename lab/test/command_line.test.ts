@@ -73,7 +73,7 @@ async function wend(args: string[]): Promise<string> {
 }
 
 async function compareOnRandom(planner: PlannerInfo, seed: number): Promise<void> {
-  const each = caseOf(seed, seed % 3 === 0 && planner.onTerrain !== 'refused');
+  const each = caseOf(seed, seed % 3 === 0 && planner.terrain !== 'refused');
   const file = join(folder, `${planner.name}-${seed}.txt`);
   await writeFile(file, textOf(each));
   await compare(planner, each, file);

@@ -18,7 +18,6 @@
 #include "python/src/cells.hpp"
 #include "wend/base/options.hpp"
 #include "wend/io/map/load_mask.hpp"
-#include "wend/map/direction_map.hpp"
 #include "wend/map/masked.hpp"
 #include "wend/map/occupancy.hpp"
 #include "wend/map/own_costs.hpp"
@@ -91,63 +90,6 @@ std::pair<GridMap, std::vector<std::string>> mask_of(const std::filesystem::path
   return {std::move(loaded.map), std::move(loaded.notes)};
 }
 
-std::pair<GridMap, std::vector<std::string>> one_way_mask_of(const std::filesystem::path& file,
-                                                             double tolerance, double factor) {
-  const nb::gil_scoped_release unlocked;
-  LoadedMap loaded =
-      value_or_throw(load_mask(file, {.kind = MaskKind::oneway, .arrow = {tolerance, factor}}));
-  return {std::move(loaded.map), std::move(loaded.notes)};
-}
-
-std::pair<GridMap, std::vector<std::string>> height_mask_of(const std::filesystem::path& file,
-                                                            double climb, double descend,
-                                                            double step) {
-  const nb::gil_scoped_release unlocked;
-  LoadedMap loaded = value_or_throw(
-      load_mask(file, {.kind = MaskKind::height, .slope = {climb, descend}, .height_step = step}));
-  return {std::move(loaded.map), std::move(loaded.notes)};
-}
-
-/// One number for each cell of a map. C++ checks which.
-Grid<double> numbers_like(nb::handle array, const std::string& name, const GridMap& map) {
-  const BufferView view(array, name);
-  if (view.rows() != map.height() || view.columns() != map.width()) {
-    throw_failure(Status::invalid_map,
-                  name + " has the shape (" + std::to_string(view.rows()) + ", " +
-                      std::to_string(view.columns()) + "), the map has (" +
-                      std::to_string(map.height()) + ", " + std::to_string(map.width()) + ")",
-                  name);
-  }
-  Grid<double> numbers(map.width(), map.height());
-  view.visit([&](const auto& values) {
-    for (const Cell cell : every_cell(numbers)) {
-      numbers[cell] = static_cast<double>(values.at(cell.y, cell.x));
-    }
-  });
-  return numbers;
-}
-
-GridMap map_with_arrows(const GridMap& map, nb::handle headings, double tolerance, double factor) {
-  const Grid<double> values = numbers_like(headings, "headings", map);
-  const nb::gil_scoped_release unlocked;
-  return value_or_throw(with_arrows(map, values, {tolerance, factor}));
-}
-
-GridMap map_with_heights(const GridMap& map, nb::handle heights, double climb, double descend) {
-  const Grid<double> values = numbers_like(heights, "heights", map);
-  const nb::gil_scoped_release unlocked;
-  return value_or_throw(with_heights(map, values, {climb, descend}));
-}
-
-bool have_same_directions(const GridMap& a, const GridMap& b) {
-  const DirectionMap one = directions_of(a);
-  const DirectionMap other = directions_of(b);
-  for (const Cell cell : every_cell(a)) {
-    if (one.rule(cell) != other.rule(cell)) return false;
-  }
-  return true;
-}
-
 GridMap map_under(const GridMap& map, const GridMap& mask) {
   const nb::gil_scoped_release unlocked;
   return value_or_throw(masked(map, mask));
@@ -171,15 +113,6 @@ void bind_costs(nb::module_& module) {
              nb::arg("multiplier"), nb::arg("top_speed").none());
   module.def("masked", &map_under, nb::arg("map"), nb::arg("mask"));
   module.def("with_costs", &map_with, nb::arg("map"), nb::arg("costs").none());
-  module.def("have_same_directions", &have_same_directions);
-  module.def("load_one_way_mask", &one_way_mask_of, nb::arg("file"), nb::arg("tolerance"),
-             nb::arg("factor"));
-  module.def("load_height_mask", &height_mask_of, nb::arg("file"), nb::arg("climb"),
-             nb::arg("descend"), nb::arg("step"));
-  module.def("with_arrows", &map_with_arrows, nb::arg("map"), nb::arg("headings"),
-             nb::arg("tolerance"), nb::arg("factor"));
-  module.def("with_heights", &map_with_heights, nb::arg("map"), nb::arg("heights"),
-             nb::arg("climb"), nb::arg("descend"));
 }
 
 }  // namespace wend::python

@@ -10,11 +10,9 @@
 #include <nanobind/stl/vector.h>
 
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
@@ -59,20 +57,6 @@ auto path_of(const Planned& plan) {
   }
   const std::size_t rows = numbers.size() / columns;
   return owned_array<double, 2>(std::move(numbers), {rows, columns});
-}
-
-/// From, to, cost, bound, length, shift, expanded, first and last point of the path.
-nb::list legs_of(const Planned& plan) {
-  nb::list legs;
-  const std::vector<std::size_t> joins = plan.answer.joins();
-  for (std::size_t i = 0; i < plan.answer.legs.size(); ++i) {
-    const PlanLeg& leg = plan.answer.legs[i];
-    const std::size_t first = i == 0 ? 0 : joins[i - 1];
-    const std::size_t last = i < joins.size() ? joins[i] : plan.path().size() - 1;
-    legs.append(nb::make_tuple(leg.from, leg.to, leg.cost, leg.bound, leg.length, leg.goal_shift,
-                               leg.metrics.expanded, first, last));
-  }
-  return legs;
 }
 
 /// Length in metres, points, reason.
@@ -134,14 +118,11 @@ Planned smoothed(const Planned& plan, std::optional<std::string> smoother,
     // A way out is not refined.
     const auto& lead_out = plan.answer.lead_out;
     const std::size_t points = lead_out ? lead_out->points : 0;
-    refinement.joins = plan.answer.joins();
-    for (std::size_t& join : refinement.joins) join -= points;
     smoother_path =
         refined(behind_lead(plan.path(), points), plan.answer.space, refinement, Deadline(limits));
     if (lead_out && *smoother_path) {
-      Refined& refined = **smoother_path;
-      refined.path = joined(lead_of(plan.path(), points), refined.path);
-      for (std::size_t& join : refined.joins) join += points;
+      Path& path = (*smoother_path)->path;
+      path = joined(lead_of(plan.path(), points), path);
     }
   }
   interrupts.throw_if_interrupted();
@@ -150,7 +131,7 @@ Planned smoothed(const Planned& plan, std::optional<std::string> smoother,
 }
 
 Trajectory timed(const Planned& plan, const nb::dict& options,
-                 std::optional<double> corner_rounding, bool stop) {
+                 std::optional<double> corner_rounding) {
   const auto limits = value_or_throw(parse_options<TrajectoryLimits>(options_of(options)));
   if (corner_rounding) check_length(*corner_rounding, "corner_rounding", true);
   const double resolution = plan.answer.space.map().frame().resolution;
@@ -159,8 +140,7 @@ Trajectory timed(const Planned& plan, const nb::dict& options,
   Limits while_running;
   interrupts.watch(while_running);
   auto trajectory = unlocked([&] {
-    const auto stops = stop ? plan.answer.joins() : std::vector<std::size_t>{};
-    return timed_path(plan.path(), plan.answer.space, plan.adjacency(), limits, rounding, stops,
+    return timed_path(plan.path(), plan.answer.space, plan.adjacency(), limits, rounding,
                       Deadline(while_running));
   });
   interrupts.throw_if_interrupted();
@@ -258,7 +238,6 @@ void bind_plan(nb::module_& module) {
       .def_prop_ro("seconds", [](const Planned& plan) { return plan.answer.search_seconds; })
       .def_prop_ro("notes", [](const Planned& plan) { return plan.answer.notes; })
       .def_prop_ro("lead_out", &lead_out_of)
-      .def_prop_ro("legs", &legs_of)
       .def_prop_ro("remaining", [](const Planned& plan) { return plan.answer.remaining; })
       .def_prop_ro("start_shift", [](const Planned& plan) { return plan.answer.start_shift(); })
       .def_prop_ro("goal_shift", [](const Planned& plan) { return plan.answer.goal_shift(); })
@@ -272,8 +251,7 @@ void bind_plan(nb::module_& module) {
       .def("quality", &quality_of)
       .def("smooth", &smoothed, nb::arg("smoother").none(), nb::arg("simplify").none(),
            nb::arg("spacing").none(), nb::arg("max_distance").none(), nb::arg("options"))
-      .def("trajectory", &timed, nb::arg("limits"), nb::arg("corner_rounding").none(),
-           nb::arg("stop"))
+      .def("trajectory", &timed, nb::arg("limits"), nb::arg("corner_rounding").none())
       .def("follow", &follow, nb::arg("controller").none(), nb::arg("options"), nb::arg("model"),
            nb::arg("simulation"), nb::arg("follower"));
 

@@ -61,8 +61,8 @@ class Settings {
   FieldValues<PlanRequest> fields_;
 };
 
-MapGoal goal_of(nb::handle goal, const std::string& name = "goal") {
-  const Coordinates at = coordinates_of(goal, name);
+MapGoal goal_of(nb::handle goal) {
+  const Coordinates at = coordinates_of(goal, "goal");
   MapGoal read;
   read.point = at.pose().point();
   if (at.has_heading) read.heading = at.pose().heading;
@@ -120,18 +120,15 @@ class Reason {
 }
 
 Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
-             const nb::dict& options, const nb::dict& fields, Recording* recording, bool again,
-             const nb::list& vias, bool closed) {
+             const nb::dict& options, const nb::dict& fields, Recording* recording, bool again) {
   const Session::View view = space.view();
   PlanRequest request = request_of(start, goals, {std::move(planner), options, fields}, view.space);
   if (recording != nullptr) {
     const PlannerInfo* const info = planners().find(request.planner.name);
     recording->on_corners = info != nullptr && info->capabilities.vertices == Vertices::corners;
   }
-  for (const nb::handle via : vias) request.vias.push_back(goal_of(via, "via"));
-  request.closed = closed;
   request.observer = recording;
-  request.explain = request.has_legs();  // which leg is to be explained, only the failure knows
+  request.explain = false;
   Interrupts interrupts;
   interrupts.watch(request.limits);
   auto answer = [&] {
@@ -139,7 +136,6 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
     return again ? space.session().replan(view, request) : space.session().plan(view, request);
   }();
   interrupts.throw_if_interrupted();
-  if (!answer && request.has_legs()) throw Failed(answer.error());
   if (!answer) raise_unexplained(space, view, std::move(request), answer.error());
   return {*std::move(answer)};
 }
@@ -257,8 +253,7 @@ void bind_solutions(nb::module_& module) {
 void bind_planning(nb::class_<Space>& space) {
   space
       .def("plan", &plan, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
-           nb::arg("options"), nb::arg("fields"), nb::arg("recording").none(), nb::arg("again"),
-           nb::arg("vias") = nb::list(), nb::arg("closed") = false)
+           nb::arg("options"), nb::arg("fields"), nb::arg("recording").none(), nb::arg("again"))
       .def("solutions", &solutions, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("fields"))
       .def("plan_many", &plan_many, nb::arg("starts"), nb::arg("goals"), nb::arg("planner"),

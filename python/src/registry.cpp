@@ -1,4 +1,5 @@
-// The planners, smoothers and controllers as dictionaries, and indexes.
+// The planners, smoothers and controllers as dictionaries, and indexes. The only place that reads the fields of a
+// PlannerInfo.
 
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/filesystem.h>
@@ -8,22 +9,19 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "python/src/bindings.hpp"
 #include "python/src/errors.hpp"
 #include "python/src/interrupts.hpp"
 #include "python/src/registry.hpp"
 #include "python/src/space.hpp"
-#include "wend/base/registry.hpp"
 #include "wend/base/thread_workers.hpp"
-#include "wend/control/controller_fields.hpp"
+#include "wend/control/controller.hpp"
 #include "wend/io/files.hpp"
-#include "wend/path/smoothing/smoother_fields.hpp"
+#include "wend/path/smoothing/smoother.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/index_support.hpp"
-#include "wend/planner/planner_fields.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace nb = nanobind;
 
@@ -32,38 +30,80 @@ namespace {
 
 nb::str str_of(std::string_view text) { return nb::str(text.data(), text.size()); }
 
-nb::object object_of(std::string_view text) { return str_of(text); }
-nb::object object_of(bool flag) { return nb::bool_(flag); }
-nb::object object_of(double number) { return nb::float_(number); }
-nb::object object_of(const std::vector<std::string>& texts) {
-  nb::list list;
-  for (const std::string& text : texts) list.append(str_of(text));
-  return nb::tuple(list);
-}
-nb::object object_of(const std::vector<OptionInfo>& options);
-
-/// A dictionary of the facts of a planner, a smoother, a controller or an option.
-template <class Info>
-nb::dict entry_of(const Info& info) {
-  nb::dict entry;
-  visit_fields(info, [&entry](std::string_view name, const auto& value) {
-    entry[str_of(name == "citation" ? "paper" : name)] = object_of(value);
-  });
-  return entry;
+template <class Enum>
+nb::str name_of(Enum value) {
+  for (const auto& choice : choice_names(Enum{})) {
+    if (choice.value == value) return str_of(choice.name);
+  }
+  return nb::str("");
 }
 
 nb::list options_of(const std::vector<OptionInfo>& options) {
   nb::list list;
-  for (const OptionInfo& option : options) list.append(entry_of(option));
+  for (const OptionInfo& option : options) {
+    nb::list choices;
+    for (const std::string& choice : option.choices) choices.append(str_of(choice));
+    nb::dict entry;
+    entry["name"] = str_of(option.name);
+    entry["kind"] = str_of(to_string(option.kind));
+    entry["default"] = str_of(option.default_value);
+    entry["choices"] = nb::tuple(choices);
+    entry["least"] = option.least;
+    entry["greatest"] = option.greatest;
+    entry["help"] = str_of(option.help);
+    list.append(entry);
+  }
   return list;
 }
 
-nb::object object_of(const std::vector<OptionInfo>& options) { return options_of(options); }
-
-template <class Info>
-nb::list listed(const Registry<Info>& registry) {
+nb::list planners_list() {
   nb::list list;
-  for (const Info& info : registry) list.append(entry_of(info));
+  for (const PlannerInfo& planner : planners()) {
+    nb::dict entry;
+    entry["name"] = str_of(planner.name);
+    entry["summary"] = str_of(planner.summary);
+    entry["idea"] = str_of(planner.idea);
+    entry["paper"] = str_of(planner.citation);
+    entry["guarantee"] = name_of(planner.guarantee);
+    entry["guarantee_text"] = str_of(planner.guarantee_text);
+    entry["time"] = str_of(planner.time);
+    entry["memory"] = str_of(planner.memory);
+    entry["when"] = str_of(planner.when);
+    entry["terrain"] = planner.capabilities.terrain;
+    entry["any_angle"] = planner.capabilities.any_angle;
+    entry["headings"] = planner.capabilities.headings;
+    entry["preprocessing"] = name_of(planner.preprocessing);
+    entry["needs_index"] = planner.index_support != nullptr;
+    entry["options"] = options_of(planner.options);
+    list.append(entry);
+  }
+  return list;
+}
+
+nb::list smoothers_list() {
+  nb::list list;
+  for (const SmootherInfo& smoother : smoothers()) {
+    nb::dict entry;
+    entry["name"] = str_of(smoother.name);
+    entry["summary"] = str_of(smoother.summary);
+    entry["paper"] = str_of(smoother.citation);
+    entry["options"] = options_of(smoother.options);
+    list.append(entry);
+  }
+  return list;
+}
+
+nb::list controllers_list() {
+  nb::list list;
+  for (const ControllerInfo& controller : controllers()) {
+    nb::dict entry;
+    entry["name"] = str_of(controller.name);
+    entry["summary"] = str_of(controller.summary);
+    entry["idea"] = str_of(controller.idea);
+    entry["paper"] = str_of(controller.citation);
+    entry["options"] = options_of(controller.options);
+    list.append(entry);
+  }
   return list;
 }
 
@@ -139,9 +179,9 @@ bool has_option(const PlannerInfo& planner, std::string_view name) {
 }
 
 void bind_registry(nb::module_& module) {
-  module.def("planners", [] { return listed(planners()); });
-  module.def("smoothers", [] { return listed(smoothers()); });
-  module.def("controllers", [] { return listed(controllers()); });
+  module.def("planners", &planners_list);
+  module.def("smoothers", &smoothers_list);
+  module.def("controllers", &controllers_list);
   module.def("trajectory_limits", [] { return options_of(option_schema<TrajectoryLimits>()); });
 
   nb::class_<Index>(module, "Index", "What a planner with an index computed for a map and a robot.")

@@ -270,10 +270,8 @@ void bind_space(nb::module_& module) {
   nb::class_<Space> space(module, "Space", "A map with a robot.");
   bind_planning(space);
   bind_drives(space);
-  bind_tours(space);
   bind_edits(space);
   bind_exploration(space);
-  bind_coverage(space);
   space
       .def("cost_to_go", &cost_to_go, nb::arg("goals"), nb::arg("connectivity"),
            nb::arg("corner_rule"))

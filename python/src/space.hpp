@@ -40,12 +40,6 @@ void bind_planning(nanobind::class_<Space>& space);
 /// Adds explore().
 void bind_exploration(nanobind::class_<Space>& space);
 
-/// Adds cover().
-void bind_coverage(nanobind::class_<Space>& space);
-
-/// Adds cost_matrix() and tour().
-void bind_tours(nanobind::class_<Space>& space);
-
 /// Adds explain_drive().
 void bind_drives(nanobind::class_<Space>& space);
 

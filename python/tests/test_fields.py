@@ -14,7 +14,7 @@ from wend import _core
 
 SPACE = wend.Map(np.zeros((9, 9), dtype=np.int8), resolution=0.5).free_space()
 FIELDS = {name: field for field in _core.request_fields() for name in (field[0], *field[1])}
-NO_FIELDS = {"self", "start", "goal", "starts", "goals", "planner", "options", "threads", "progress", "via", "closed"}
+NO_FIELDS = {"self", "start", "goal", "starts", "goals", "planner", "options", "threads", "progress"}
 
 
 def wrong(name: str, value: object) -> dict[str, Any]:

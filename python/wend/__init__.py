@@ -11,23 +11,21 @@ The common interface: ``wend.search(world_state, robot_pose, goal_pose, planner)
 
 from ._animation import Animation
 from ._core import version as __version__
-from ._cover import Coverage
 from ._errors import Error, InvalidArgument, Metrics, NoPath
 from ._explore import Exploration, explore
 from ._footprint import rectangle
 from ._index import Index
 from ._map import Map
-from ._plan import Drive, LeadOut, Leg, Plan, Quality, Trajectory, follow
+from ._plan import Drive, LeadOut, Plan, Quality, Trajectory, follow
 from ._registry import ControllerInfo, OptionInfo, PlannerInfo, SmootherInfo, controllers, planners, smoothers
 from ._search import Comparison, PlannerBase, compare, search
-from ._space import DriveExplanation, Explanation, FreeSpace, Tour, TourLeg, Way
+from ._space import DriveExplanation, Explanation, FreeSpace, Way
 from ._trace import Event, Trace
 
 __all__ = [
     "Animation",
     "Comparison",
     "ControllerInfo",
-    "Coverage",
     "Drive",
     "Error",
     "Event",
@@ -38,7 +36,6 @@ __all__ = [
     "Index",
     "InvalidArgument",
     "LeadOut",
-    "Leg",
     "Map",
     "Metrics",
     "NoPath",
@@ -48,8 +45,6 @@ __all__ = [
     "PlannerInfo",
     "Quality",
     "SmootherInfo",
-    "Tour",
-    "TourLeg",
     "Trace",
     "Trajectory",
     "Way",

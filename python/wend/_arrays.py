@@ -58,21 +58,16 @@ def text_of(options: Mapping[str, object]) -> dict[str, str]:
     return text
 
 
-def places_of(places: Pose | Iterable[Pose], name: str) -> list[Any]:
-    """A list of places from one, several or none."""
-    if isinstance(places, tuple) and places and isinstance(places[0], (int, float)):
-        return [places]
-    try:
-        listed = list(places)
-    except TypeError as error:
-        message = f"{name} must be (x, y), (x, y, heading) or a list of them"
-        raise InvalidArgument(message, "invalid_option", name) from error
-    return [listed] if listed and np.isscalar(listed[0]) else listed
-
-
 def goals_of(goal: Pose | Iterable[Pose]) -> list[Any]:
     """A list of goals from one or more."""
-    return places_of(goal, "goal") or [[]]
+    if isinstance(goal, tuple) and goal and isinstance(goal[0], (int, float)):
+        return [goal]
+    try:
+        goals = list(goal)
+    except TypeError as error:
+        message = "goal must be (x, y), (x, y, heading) or a list of them"
+        raise InvalidArgument(message, "invalid_option", "goal") from error
+    return goals if goals and not np.isscalar(goals[0]) else [goals]
 
 
 def checked_threads(threads: int) -> int:

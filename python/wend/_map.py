@@ -224,78 +224,6 @@ class Map:
         return Map._of(_core.with_costs(self._inner, values))
 
     @named_types
-    def with_arrows(
-        self, headings: npt.ArrayLike, *, tolerance: float = math.pi / 2, factor: float = math.inf
-    ) -> Map:
-        """This map with ways of one direction, besides those that it has.
-
-        A step is judged by the cell that it leaves and by the one that it enters, a line by each cell that it crosses.
-        Planners that do not know directions refuse such a map, see ``wend.planners()``.
-
-        :param headings: shape (height, width), radians in the map's frame: where moves in the cell may lead. NaN: no
-            arrow.
-        :param tolerance: radians, 0 to pi: headings this near to the arrow's are free.
-        :param factor: what moves with other headings cost times their length, 1 to 10000; infinite: they are not allowed.
-        :raises ValueError: for other values and shapes.
-
-        >>> import numpy as np
-        >>> aisle = Map(np.zeros((1, 4), dtype=np.int8)).with_arrows(np.zeros((1, 4))).free_space()
-        >>> aisle.plan((0.5, 0.5), (3.5, 0.5)).cost
-        3.0
-        >>> aisle.explain((3.5, 0.5), (0.5, 0.5)).path_exists
-        False
-        """
-        values = numbers_of(headings, "headings")
-        return Map._of(_core.with_arrows(self._inner, values, tolerance, factor), self._notes)
-
-    @named_types
-    def with_heights(self, heights: npt.ArrayLike, *, climb: float = 0, descend: float = 0) -> Map:
-        """This map with slopes that cost, besides those that it has.
-
-        :param heights: shape (height, width), in metres. NaN: unknown, as if the ground was flat there.
-        :param climb: metres of way that a metre upwards costs, 0 to 10000.
-        :param descend: the same downwards.
-        :raises ValueError: for other values and shapes.
-
-        >>> ramp = Map([[0, 0, 0]]).with_heights([[0, 1, 2]], climb=2).free_space()
-        >>> ramp.plan((0.5, 0.5), (2.5, 0.5)).cost, ramp.plan((2.5, 0.5), (0.5, 0.5)).cost
-        (6.0, 2.0)
-        """
-        values = numbers_of(heights, "heights")
-        return Map._of(_core.with_heights(self._inner, values, climb, descend), self._notes)
-
-    @named_types
-    def with_one_way_mask(
-        self, file: str | os.PathLike[str], *, tolerance: float = math.pi / 2, factor: float = math.inf
-    ) -> Map:
-        """This map under a one-way mask: an image whose colours are headings, see docs/directions.md.
-
-        :param file: a PNG, a PGM of greys, or a ``map.yaml`` with one.
-        :param tolerance: as in ``with_arrows()``.
-        :param factor: as in ``with_arrows()``.
-        :raises ValueError: the mask does not touch the map, or the sizes differ.
-        :raises wend.Error: ``invalid_file``.
-        """
-        core, notes = _core.load_one_way_mask(os.fspath(file), tolerance, factor)
-        return Map._of(_core.masked(self._inner, core), [*self._notes, *notes])
-
-    @named_types
-    def with_height_mask(
-        self, file: str | os.PathLike[str], *, climb: float = 0, descend: float = 0, step: float = 0.1
-    ) -> Map:
-        """This map under a height mask: an image whose greys are heights.
-
-        :param file: an image, or a ``map.yaml`` with one.
-        :param climb: as in ``with_heights()``.
-        :param descend: as in ``with_heights()``.
-        :param step: metres of a grey value, of 255.
-        :raises ValueError: the mask does not touch the map, or the sizes differ.
-        :raises wend.Error: ``invalid_file``.
-        """
-        core, notes = _core.load_height_mask(os.fspath(file), climb, descend, step)
-        return Map._of(_core.masked(self._inner, core), [*self._notes, *notes])
-
-    @named_types
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes a ``.yaml`` (with its ``.png``), ``.map``, ``.txt``, ``.png`` or ``.pgm``. What the format cannot hold
         is an error; nothing is changed silently.
@@ -413,7 +341,6 @@ class Map:
             and self.y_up == other.y_up
             and np.array_equal(self.array, other.array)
             and np.array_equal(self.costs, other.costs)
-            and _core.have_same_directions(self._inner, other._inner)
         )
 
     __hash__ = None  # type: ignore[assignment]

@@ -16,7 +16,7 @@ from ._map import Map
 from ._pictures import colours_of, plot, svg_of
 from ._types import named_types
 
-__all__ = ["Drive", "LeadOut", "Leg", "Plan", "Quality", "Trajectory", "follow"]
+__all__ = ["Drive", "LeadOut", "Plan", "Quality", "Trajectory", "follow"]
 
 
 class Quality(Listed[float], fields=_core.path_metrics()):
@@ -35,29 +35,6 @@ class LeadOut(NamedTuple):
     """How many points of the path come before the first one where the robot fits."""
     reason: str
     """Why the robot does not fit at the start."""
-
-
-class Leg(NamedTuple):
-    """A leg of a plan through vias: from one place to the next."""
-
-    start: str
-    """Where it begins: "start", "via 1", "via 2", ..."""
-    goal: str
-    """Where it ends: "via 1", ..., "goal"; of a closed path, at last, "start"."""
-    cost: float
-    """As ``Plan.cost``."""
-    bound: float
-    """As ``Plan.bound``, from where the leg begins."""
-    length: float
-    """Metres, as the planner found it."""
-    shift: float
-    """Metres: how far from its place it ends, as ``Plan.goal_shift``."""
-    expanded: int
-    """States that its search expanded."""
-    first: int
-    """Where it begins in ``Plan.path``."""
-    last: int
-    """Where it ends there; the next leg begins at this point."""
 
 
 class Plan:
@@ -151,18 +128,6 @@ class Plan:
         return None if lead_out is None else LeadOut(*lead_out)
 
     @property
-    def legs(self) -> list[Leg]:
-        """The legs of a plan through vias (``via=``); empty for others.
-
-        >>> import wend
-        >>> space = wend.Map([[0] * 9] * 5, resolution=1).free_space()
-        >>> plan = space.plan((0.5, 0.5), via=[(8.5, 0.5), (8.5, 4.5)], closed=True)
-        >>> [(leg.start, leg.goal, leg.length) for leg in plan.legs[:2]]
-        [('start', 'via 1', 8.0), ('via 1', 'via 2', 4.0)]
-        """
-        return [Leg(*leg) for leg in self._inner.legs]
-
-    @property
     def start_shift(self) -> float:
         """Metres from the start that was asked for to the path's first point: 0 wherever the robot can go from there to
         the middle of the cell, where the path of a planner on cells begins otherwise. Planners on lattices begin at a
@@ -227,7 +192,7 @@ class Plan:
         **options: object,
     ) -> Plan:
         """A smoother path that touches no obstacle: simplified, then smoothed, then resampled, as far as each is asked
-        for. It still goes through all vias.
+        for.
 
         :param smoother: a name from ``wend.smoothers()``; `options` are its options. None: not smoothed. A path of
             poses takes ``"drive"`` in place of ``"gradient"``.
@@ -243,11 +208,10 @@ class Plan:
         return Plan(self._inner.smooth(smoother, simplify, spacing, max_distance, text_of(options)))
 
     @named_types
-    def trajectory(self, *, corner_rounding: float | None = None, stop: bool = False, **limits: object) -> Trajectory:
+    def trajectory(self, *, corner_rounding: float | None = None, **limits: object) -> Trajectory:
         """The fastest trajectory along the path, from rest to rest.
 
         :param corner_rounding: metres: corners become arcs that stay within this of them. None: a tenth of a cell.
-        :param stop: stop at each via; else the robot passes them like any other point of the path.
         :param limits: `speed` (m/s, default 0.5), `turn_rate` (rad/s, 1.5), `acceleration` (m/s^2, 1),
             `turn_acceleration` (rad/s^2, 5), `lateral_acceleration` (m/s^2, 1).
 
@@ -256,7 +220,7 @@ class Plan:
         >>> plan.trajectory(speed=1.0, acceleration=1.0).duration
         9.0
         """
-        return Trajectory(self._inner.trajectory(text_of(limits), corner_rounding, stop))
+        return Trajectory(self._inner.trajectory(text_of(limits), corner_rounding))
 
     def plot(self, ax: Any = None) -> Any:
         """Draws the path on its map with matplotlib, in cells, and returns the axes; None: on new ones. Needs

@@ -24,8 +24,6 @@ class OptionInfo(NamedTuple):
     """The range of an integer or a number."""
     help: str
     """One line, with the unit."""
-    aliases: tuple[str, ...]
-    """Other names, as in the literature."""
 
 
 class PlannerInfo(NamedTuple):
@@ -44,8 +42,6 @@ class PlannerInfo(NamedTuple):
     """When to choose it."""
     terrain: bool
     """Does it take the costs of cells into account?"""
-    directions: bool
-    """Does it plan on maps with arrows or slopes? Else it refuses them."""
     any_angle: bool
     """Are its paths lines at any angle, not steps between neighbours?"""
     headings: bool
@@ -55,20 +51,6 @@ class PlannerInfo(NamedTuple):
     needs_index: bool
     """Does it need an ``Index``?"""
     options: tuple[OptionInfo, ...]
-    motion: str
-    """What its states are, in one word."""
-    mover: str
-    """Who moves, and between what."""
-    on_terrain: str
-    """What it does with the costs of cells: "costs count", "ignored" or "refused"."""
-    on_vertices: bool
-    """Do its states lie on corners of cells?"""
-    can_step: bool
-    """Does ``Search`` step through it?"""
-    resumes: bool
-    """May a search go on from the last one?"""
-    directions: bool
-    """Does it take ways with a direction into account?"""
 
 
 class SmootherInfo(NamedTuple):
@@ -78,8 +60,6 @@ class SmootherInfo(NamedTuple):
     summary: str
     paper: str
     options: tuple[OptionInfo, ...]
-    drives: bool
-    """Does it take paths of poses, and only these?"""
 
 
 class ControllerInfo(NamedTuple):
@@ -90,8 +70,6 @@ class ControllerInfo(NamedTuple):
     idea: str
     paper: str
     options: tuple[OptionInfo, ...]
-    turns_in_place: bool
-    """Does it turn in place? Then it does not fit a bicycle."""
 
 
 def _with_options(entry: Mapping[str, Any]) -> dict[str, Any]:

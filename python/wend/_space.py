@@ -10,8 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Pose, checked_threads, goals_of, numbers_of, places_of, text_of
-from ._cover import Coverage
+from ._arrays import Pose, checked_threads, goals_of, numbers_of, text_of
 from ._errors import Error, InvalidArgument, NoPath
 from ._map import Map
 from ._plan import Plan
@@ -22,7 +21,7 @@ from ._types import named_types
 if TYPE_CHECKING:
     from ._index import Index
 
-__all__ = ["DriveExplanation", "Explanation", "FreeSpace", "Tour", "TourLeg", "Way"]
+__all__ = ["DriveExplanation", "Explanation", "FreeSpace", "Way"]
 
 Connectivity = Literal[4, 8]
 CornerRule = Literal["none", "one", "both"]
@@ -35,38 +34,6 @@ _LEAST_PART = 50  # queries that plan_many() plans between two looks at its prog
 def _fields_of(arguments: dict[str, Any]) -> dict[str, Any]:
     """The arguments of a function that are fields of a request."""
     return {name: value for name, value in arguments.items() if name in _FIELDS}
-
-
-class TourLeg(NamedTuple):
-    """The way from one stop of a tour to the next."""
-
-    start: int
-    """The stop that it leaves, by its place in the list."""
-    end: int
-    """The stop that it reaches."""
-    cost: float
-    """Its cost, as that of a plan."""
-    first: int
-    """The index of its first point in ``Tour.path``."""
-    last: int
-    """The index of its last point, where the next leg begins."""
-
-
-class Tour(NamedTuple):
-    """An order of stops, and the path through them."""
-
-    order: list[int]
-    """Places in the list of stops; a closed tour does not repeat the first."""
-    cost: float
-    """Of all legs, in the unit of ``Plan.cost``."""
-    bound: float
-    """No order costs less."""
-    status: str
-    """``found``; ``time_limit`` if the search for a better order was cut short."""
-    legs: list[TourLeg]
-    """One for each way."""
-    path: npt.NDArray[np.float64]
-    """The points of all legs in metres: shape (n, 2)."""
 
 
 class Way(NamedTuple):
@@ -153,11 +120,9 @@ class FreeSpace:
     def plan(
         self,
         start: Pose,
-        goal: Pose | Iterable[Pose] = (),
+        goal: Pose | Iterable[Pose],
         planner: str = "astar",
         *,
-        via: Pose | Iterable[Pose] = (),
-        closed: bool = False,
         time_limit: float | None = None,
         expansions: int | None = None,
         nearest: bool = False,
@@ -173,10 +138,6 @@ class FreeSpace:
         :param start: (x, y) or (x, y, heading); planners on cells ignore the heading.
         :param goal: the same, or a list of goals, of which the cheapest is found. Without a heading, any will do.
         :param planner: a name from ``wend.planners()``; `options` are its options.
-        :param via: places to pass on the way, in this order, as (x, y) or (x, y, heading). Each leg is planned from
-            where, and with the heading in which, the one before ended; limits are of all legs together. See
-            ``Plan.legs``.
-        :param closed: the path ends where it begins; then there is no `goal`.
         :param time_limit: seconds.
         :param expansions: the most states to expand.
         :param nearest: if an end is blocked, or no path reaches the goal, plan from or to the nearest free cell;
@@ -203,15 +164,9 @@ class FreeSpace:
         wend.InvalidArgument: option 'connectivity': '5' is not one of 4, 8
         """
         fields = _fields_of(locals())
-        texts = text_of(options) if options else {}
-        no_goal = isinstance(goal, tuple) and not goal
-        if closed and not no_goal:
-            raise InvalidArgument("a closed path ends at its start: it has no goal", "unsupported_query", "goal")
-        if no_goal and not closed:
-            raise TypeError("plan() missing 1 required argument: 'goal'")
-        goals = [] if closed else goals_of(goal)
-        vias = places_of(via, "via")
-        return Plan(self._inner.plan(start, goals, planner, texts, fields, None, False, vias, closed))
+        return Plan(
+            self._inner.plan(start, goals_of(goal), planner, text_of(options) if options else {}, fields, None, False)
+        )
 
     @named_types
     def replan(
@@ -389,74 +344,6 @@ class FreeSpace:
         return self._inner.cost_to_go(goals_of(goal), str(connectivity), corner_rule)
 
     @named_types
-    def cost_matrix(
-        self, points: Iterable[Pose], planner: str = "astar", *, threads: int = 0, **options: object
-    ) -> npt.NDArray[np.float64]:
-        """The cost of the cheapest path from every point to every other: shape (n, n), rows are where paths begin, in
-        the unit of ``Plan.cost``; infinite without a path. For OR-tools, networkx and the like.
-
-        A planner that steps from cell to cell computes one field of costs for each point; one whose index was built
-        answers each pair in microseconds.
-
-        :param threads: 0: as many as the machine runs at once.
-        :raises ValueError: the robot cannot be at a point; the message names it.
-
-        >>> import wend
-        >>> space = wend.Map([[0, 0, 0, 1, 0]]).free_space()
-        >>> space.cost_matrix([(0, 0), (2, 0), (4, 0)]).tolist()
-        [[0.0, 2.0, inf], [2.0, 0.0, inf], [inf, inf, 0.0]]
-        """
-        return self._inner.cost_matrix(list(points), planner, text_of(options), checked_threads(threads))
-
-    @named_types
-    def tour(
-        self,
-        points: Iterable[Pose],
-        planner: str = "astar",
-        *,
-        closed: bool = False,
-        start: int | None = None,
-        end: int | None = None,
-        before: Iterable[tuple[int, int]] = (),
-        fixed: Iterable[tuple[int, int]] = (),
-        kicks: int | None = None,
-        seed: int = 1,
-        time_limit: float | None = None,
-        **options: object,
-    ) -> Tour:
-        """The best order of many stops, and the path through them.
-
-        :param closed: return to the first stop.
-        :param start: the first stop, by its place in `points`; None: any.
-        :param end: the last stop of an open tour.
-        :param before: pairs of stops, of which the first must be visited before the second.
-        :param fixed: pairs of stops that must follow each other directly, in either order.
-        :param kicks: how often to try another order; None: 20 for each stop, or until `time_limit`.
-        :param time_limit: seconds for all.
-        :raises ValueError: as ``cost_matrix()``, and if the demands contradict each other.
-        :raises wend.Error: some stops cannot be reached from others; the message names them.
-
-        >>> import wend
-        >>> tour = wend.Map([[0, 0, 0, 0, 0]]).free_space().tour([(2, 0), (4, 0), (0, 0)], start=2)
-        >>> tour.order, tour.cost
-        ([2, 0, 1], 4.0)
-        """
-        order, cost, bound, status, legs, path = self._inner.tour(
-            list(points),
-            planner,
-            text_of(options),
-            closed,
-            start,
-            end,
-            list(before),
-            list(fixed),
-            kicks,
-            seed,
-            time_limit,
-        )
-        return Tour(order, cost, bound, status, [TourLeg(*leg) for leg in legs], path)
-
-    @named_types
     def policy(
         self, goal: Pose | Iterable[Pose], *, connectivity: Connectivity = 8, corner_rule: CornerRule = "none"
     ) -> npt.NDArray[np.int8]:
@@ -507,52 +394,6 @@ class FreeSpace:
         (False, True)
         """
         return DriveExplanation(*self._inner.explain_drive(start, goal, text_of(options)))
-
-    @named_types
-    def cover(
-        self,
-        tool_width: float,
-        *,
-        overlap: float = 0,
-        angle: float | None = None,
-        turn_cost: float | None = None,
-        share: float = 0.999,
-        start: Pose | None = None,
-        end: Pose | None = None,
-        area: npt.ArrayLike | None = None,
-        covered: npt.ArrayLike | None = None,
-        seed: int = 1,
-        time_limit: float | None = None,
-    ) -> Coverage:
-        """A path on which a tool in the middle of the robot passes over every place that it can reach. A cell is covered
-        if its centre is at most half the tool's width from the path. Ctrl-C stops it.
-
-        :param tool_width: in metres, from 2 to 500 cells.
-        :param overlap: of neighbouring swaths, in metres.
-        :param angle: of the swaths, in radians from +x; None: each room its cheapest one.
-        :param turn_cost: what turning around costs, as a length in metres; None: the tool's width.
-        :param share: of what the tool can reach; so much is covered.
-        :param start: where the path begins; None: anywhere in the largest component.
-        :param end: where it ends; None: anywhere.
-        :param area: the cells to cover, True or 1: shape (height, width); None: all.
-        :param covered: the cells that are covered already, likewise.
-        :param time_limit: seconds of the whole call.
-        :raises ValueError: an argument has a wrong value, or an end is outside of the map.
-        :raises wend.Error: an end is blocked, or there was no time.
-
-        >>> import numpy as np, wend
-        >>> space = wend.Map(np.zeros((20, 30))).free_space(1.5, outside="blocked")
-        >>> coverage = space.cover(tool_width=3)
-        >>> coverage.covered_share >= 0.999, bool(coverage.length < 1.3 * coverage.lower_bound)
-        (True, True)
-        """
-        areas = [None if cells is None else np.asarray(cells) for cells in (area, covered)]
-        result = self._inner.cover(
-            tool_width, overlap, angle, turn_cost, share, start, end, areas[0], areas[1], seed, time_limit
-        )
-        for name in ("wanted", "covered"):
-            result[name] = result[name].view(np.bool_)
-        return Coverage(**result)
 
     def fits(self, pose: Pose) -> bool:
         """May the robot stand at (x, y) or (x, y, heading)? Without a heading: at the heading 0.

@@ -61,43 +61,6 @@ TEST_F(Masks, KeepPathsOutOfTheirZones) {
   EXPECT_EQ(planned({"--mask", "keepout:" + file("zone")}).at("path"), around.at("path"));
 }
 
-/// The middle row leads back.
-TEST_F(Masks, OfOneWayZonesLeadPathsAroundOrCostAFactor) {
-  write("back", "trinary", "0 0.5 0", "P2 6 1 255  0 121 121 121 121 0\n");
-  const std::string back = file("back");
-  const json around = planned({"--mask", "oneway:" + back});
-  EXPECT_NEAR(around.at("cost").get<double>(), 3 + 2 * std::sqrt(2), 1e-9);
-  EXPECT_EQ(planned({"--mask", "oneway:" + back, "--planner", "theta_star"}).at("status"), "found");
-  EXPECT_NEAR(planned({"--mask", "oneway:factor=1.1:" + back}).at("cost").get<double>(),
-              2 * 1.05 + 3 * 1.1, 0.02);
-  const Outcome jps = wend({"plan", file("room"), "--mask", "oneway:" + back, "--planner", "jps",
-                            "--start", "0.25,0.75", "--goal", "2.75,0.75"});
-  EXPECT_EQ(jps.code, 2);
-  EXPECT_THAT(jps.err, HasSubstr("jps does not plan on a map with directions"));
-}
-
-TEST_F(Masks, OfOneWayZonesAreNamedWhereTheyAreTheReason) {
-  write("wall", "trinary", "0 0 0",
-        "P2 6 3 255  0 0 0 0 0 0  255 255 255 255 255 255  0 0 0 0 0 0\n");
-  write("back", "trinary", "1 0.5 0", "P2 1 1 255  121\n");
-  const std::vector<std::string> ends{
-      "--mask", "oneway:" + file("back"), "--start", "0.25,0.75", "--goal", "2.75,0.75"};
-  for (const std::string command : {"plan", "explain"}) {
-    std::vector<std::string> words{command, file("wall")};
-    words.insert(words.end(), ends.begin(), ends.end());
-    const Outcome outcome = wend(words);
-    EXPECT_EQ(outcome.code, 1) << command;
-    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("against the arrow at (1.25,0.75)"));
-  }
-}
-
-TEST_F(Masks, OfHeightsMakeTheWayUpCostMore) {
-  write("ramp", "trinary", "0 0 0",
-        "P2 6 3 255  0 5 10 15 20 25  0 5 10 15 20 25  0 5 10 15 20 25\n");
-  const json up = planned({"--mask", "height:" + file("ramp") + ":climb=2"});
-  EXPECT_NEAR(up.at("cost").get<double>(), 5 * (1 + 2 * 1), 1e-9) << "half a metre up in each cell";
-}
-
 TEST_F(Masks, MakeSlowGroundCostItsTime) {
   const json by_speed = planned({"--mask", "speed:" + file("slow")});
   EXPECT_NEAR(by_speed.at("cost").get<double>(), 5 + 2 * (4 + 1) / 2.0, 1e-9)

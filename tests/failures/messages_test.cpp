@@ -19,7 +19,6 @@
 
 #include "tests/testing/build_paths.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "wend/map/direction_map.hpp"
 #include "wend/map/masked.hpp"
 #include "wend/session/session.hpp"
 
@@ -91,7 +90,6 @@ struct Case {
   FreeSpaceOptions robot = {};
   bool metres = false;
   std::string_view mask = {};
-  std::optional<double> arrows = {};  // the heading of all cells
 };
 
 PlanRequest between(MapPose start, MapPose goal, PlannerSpec planner = {"astar"}) {
@@ -240,8 +238,6 @@ std::vector<Case> no_path_on_cells() {
       {"a way out that is too long", kYard,
        with(between(at(4, 2), at(1, 4)), [](auto& r) { r.escape = 0.1; }), disc(1.4)},
       {"a robot without room anywhere", kSlit, between(at(0, 0), at(5, 3)), disc(5)},
-      {.name = "against the arrows", .request = between(at(13, 4), at(0, 4)), .arrows = 0},
-      {.name = "jps: arrows", .request = between(at(13, 4), at(0, 4), {"jps"}), .arrows = 0},
       {"jps: separated", kHalves, across({"jps"})},
       {"any_angle: separated", kHalves, across({"any_angle"})},
       {"hub_labels: separated", kHalves, across({"hub_labels"})},
@@ -370,9 +366,6 @@ GridMap map_of(const Case& made) {
   const Frame frame =
       made.metres ? Frame{.resolution = 0.5, .y_up = true, .metric = true} : Frame{};
   GridMap map = drawn_map(made.drawing, frame);
-  if (made.arrows) {
-    return with_arrows(map, Grid<double>(map.width(), map.height(), *made.arrows)).value();
-  }
   if (made.mask.empty()) return map;
   return masked(map, drawn_map(made.mask, frame)).value();
 }

@@ -23,7 +23,6 @@
 #include "wend/io/query/dynamic_scenario.hpp"
 #include "wend/io/query/query_csv.hpp"
 #include "wend/io/query/scenario.hpp"
-#include "wend/io/query/stop_csv.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/footprint.hpp"
 
@@ -142,20 +141,6 @@ std::string fuzz_query_csv(std::string_view bytes) {
   return "";
 }
 
-/// What was read says the same again.
-std::string fuzz_stop_csv(std::string_view bytes) {
-  const auto pairs = parse_stop_pair_csv(bytes, kFuzzedFile);
-  if (!pairs) {
-    const std::string wrong = check_error(pairs.error());
-    if (!wrong.empty()) return wrong;
-  }
-  const auto stops = parse_stop_csv(bytes, kFuzzedFile);
-  if (!stops) return check_error(stops.error());
-  const bool blank = std::ranges::any_of(
-      *stops, [](const std::string& stop) { return stop.find(',') == std::string::npos; });
-  return blank ? "a stop without a comma" : "";
-}
-
 std::string fuzz_planner_specs(std::string_view bytes) {
   const auto specs = parse_planner_specs(bytes);
   if (!specs) return specs.error().message.empty() ? "the error says nothing" : "";
@@ -220,7 +205,6 @@ constexpr std::array kLoaders{
     Loader{"path_csv", fuzz_path_csv},
     Loader{"path_json", fuzz_path_json},
     Loader{"query_csv", fuzz_query_csv},
-    Loader{"stop_csv", fuzz_stop_csv},
     Loader{"planner_specs", fuzz_planner_specs},
     Loader{"footprint", fuzz_footprint},
     Loader{"primitives", fuzz_primitives},

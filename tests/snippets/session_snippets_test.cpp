@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdio>
 #include <iostream>
 #include <span>
 #include <vector>
@@ -15,7 +12,6 @@
 #include "wend/explore/explorer.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/map/place_text.hpp"
-#include "wend/path/joins.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/planner/planner_options.hpp"
@@ -245,29 +241,6 @@ TEST(Snippets, OfReplanning) {
   }
   EXPECT_TRUE(answer);
   EXPECT_EQ(steps, 6);
-}
-
-TEST(Snippets, OfVias) {
-  wend::Session session(
-      *wend::make_grid_map(wend::Grid<wend::CellState>(20, 20, wend::CellState::free)));
-  wend::PlanRequest request{{1, 1, 0}, {{{15, 9}}}};
-  std::size_t visited = 0;
-  const auto visit = [&](const std::vector<wend::PlanLeg>& legs) { visited += legs.size(); };
-  request.vias = {{.point = {6, 2}}, {.point = {9, 8}}};  // on the way to the goal
-  EXPECT_TRUE(session.plan(request));
-  request.vias = {{.point = {3, 2}}, {.point = {8, 2}, .heading = 0.0}};
-  if (const auto answer = session.plan(request)) visit(answer->legs);
-  EXPECT_EQ(visited, 3U);
-  request.goals.clear();
-  request.closed = true;  // and no goals
-  const auto answer = session.plan(request);
-  for (const wend::PlanLeg& leg : answer->legs)
-    std::printf("%s: %g m\n", leg.to.c_str(), leg.length);
-  const wend::Path path = answer->path();
-  const std::array<std::size_t, 2> joins{4, 9};
-  const std::vector<wend::Path> legs = wend::legs_between(path, joins);  // three legs
-  const wend::Path same = wend::end_to_end(legs);
-  EXPECT_EQ(same, path);
 }
 
 TEST(Snippets, OfExplorationAndItsPlanner) {

@@ -23,7 +23,6 @@ struct FreeObject {
   void operator()(wend_session* session) const { wend_session_free(session); }
   void operator()(wend_plan* plan) const { wend_plan_free(plan); }
   void operator()(wend_field* field) const { wend_field_free(field); }
-  void operator()(wend_coverage* coverage) const { wend_coverage_free(coverage); }
 };
 
 template <class Object>

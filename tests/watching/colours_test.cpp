@@ -48,7 +48,7 @@ TEST(ColoursPage, ListsTheColoursOfEveryStyle) {
       {"path; driven ahead; possible path (dashed)", &Style::path},
       {"driven in reverse (dashed)", &Style::reverse},
       {"start", &Style::start},
-      {"goal; via", &Style::goal},
+      {"goal", &Style::goal},
       {"narrowest place; nearest free cell; collision", &Style::narrowest},
       {"way to move", &Style::arrows},
       {"page", &Style::page},

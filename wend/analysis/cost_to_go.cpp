@@ -48,8 +48,6 @@ struct ExactKeyOf {
 
 using UniformField = ForwardSearch<ExactGrid, BucketFrontier<ExactKey<std::uint64_t>, 25>,
                                    Everywhere<ExactKeyOf>, DuplicateRule::keep_cheaper>;
-using DirectedField = ForwardSearch<DirectedGrid, HeapFrontier<ExactKey<std::uint64_t>>,
-                                    Everywhere<ExactKeyOf>, DuplicateRule::keep_cheaper>;
 using TerrainField = ForwardSearch<TerrainGrid, HeapFrontier<ExactKey<std::uint64_t>>,
                                    Everywhere<ExactKeyOf>, DuplicateRule::keep_cheaper>;
 
@@ -69,7 +67,7 @@ class FieldWriter {
     if (arrival == kNoMove) return;
     const Direction back = opposite(static_cast<Direction>(arrival));
     policy_[state.cell] = static_cast<std::uint8_t>(back);
-    if (space_.uniform_terrain() && space_.directions() == nullptr) return;
+    if (space_.uniform_terrain()) return;
     const std::array way{state.cell, step(state.cell, back)};
     costs_[way[0]] = costs_[way[1]] + grid_path_cost(space_, way);
   }
@@ -196,7 +194,7 @@ std::optional<Status> fill_fast(const FreeSpace& space, std::span<const Cell> go
 std::optional<Status> fill_fast(const FreeSpace& space, std::span<const Cell> goals,
                                 GridMoves moves, const Deadline& deadline,
                                 const FieldParts& parts) {
-  if (sweeps_diagonals(space, moves) || space.directions() != nullptr) return std::nullopt;
+  if (sweeps_diagonals(space, moves)) return std::nullopt;
   if (!CostGrid<std::uint32_t>::holds(space.costs())) {
     return fill_fast<std::uint64_t>(space, goals, moves, deadline, parts);
   }
@@ -220,9 +218,6 @@ Expected<CostToGo, PlanFailure> CostToGo::make(const FreeSpace& space, std::span
   Status status = Status::found;
   if (const auto fast = fill_fast(space, usable, moves, Deadline(limits), parts)) {
     status = *fast;
-  } else if (space.directions() != nullptr) {
-    DirectedField search(DirectedGrid(space, moves, Sense::backwards), {});
-    status = search_everywhere(search, usable, limits, field.costs_, field.policy_, field.metrics_);
   } else if (space.uniform_terrain()) {
     UniformField search(ExactGrid(space, moves), {});
     status = search_everywhere(search, usable, limits, field.costs_, field.policy_, field.metrics_);

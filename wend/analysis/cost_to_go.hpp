@@ -2,8 +2,7 @@
 
 // CostToGo: one goal, many starts. Dijkstra's algorithm from the goal computes every cell's cost to
 // the goal. The costs give the best path from any cell without another search, and the policy, the
-// direction to move in every cell. Where moves have directions (wend/map/direction_map.hpp), costs are those towards the
-// goal: the search goes backwards.
+// direction to move in every cell. (Costs are symmetric.)
 //
 //   const auto field = wend::CostToGo::make(space, std::array{goal});
 //   if (const auto path = field->path_from(start)) ...

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "wend/analysis/cost_to_go.hpp"
-#include "wend/planner/against_arrow.hpp"
 
 namespace wend {
 namespace {
@@ -104,7 +103,7 @@ BitGrid cells_where(const FreeSpace& space, Holds&& holds) {
 
 BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves) {
   if (!space.contains(cell)) return {space.width(), space.height()};
-  if (labels_are_exact(space, moves) || space.directions() != nullptr) {
+  if (labels_are_exact(space, moves)) {
     const ConnectedComponents& components = space.components();
     return cells_where(
         space, [&](Cell other) { return components.connected(cell, other, moves.adjacency()); });
@@ -138,7 +137,6 @@ std::optional<NoPath> explain_no_path(const FreeSpace& space, Cell start, Cell g
   NoPath why{.start_component = component_size(space, start, moves),
              .goal_component = component_size(space, goal, moves),
              .widest = widths.path({}),
-             .arrow = {},
              .ways = {}};
   for (const Changes& changes : kAllChanges) {
     const bool minimal = std::none_of(why.ways.begin(), why.ways.end(),
@@ -149,7 +147,6 @@ std::optional<NoPath> explain_no_path(const FreeSpace& space, Cell start, Cell g
     }
     if (check.now()) return std::nullopt;
   }
-  if (why.path_exists()) why.arrow = first_arrow_against(space, start, goal);
   return why;
 }
 

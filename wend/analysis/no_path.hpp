@@ -55,17 +55,13 @@ struct NoPath {
   /// For a robot of any size, without other changes.
   std::optional<WidestPath> widest;
 
-  /// Of a map with directions: the cell of the arrow that the path against the fewest arrows meets first, where each
-  /// path leads against one.
-  std::optional<Cell> arrow = {};
-
   /// Is there a path after all?
   bool path_exists() const {
-    return start_component > 0 && !ways.empty() && ways.front().changes() == 0 && !arrow;
+    return start_component > 0 && !ways.empty() && ways.front().changes() == 0;
   }
 
   /// Fewest changes first. Empty if no change helps: an obstacle is on the start or goal, or
-  /// walls surround one of them. If there is a path after all, or but for arrows: one way, without any change.
+  /// walls surround one of them. If there is a path after all: one way, without any change.
   std::vector<Way> ways;
 };
 

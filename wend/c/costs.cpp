@@ -2,12 +2,10 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "wend/c/boundary.hpp"
 #include "wend/c/objects.hpp"
 #include "wend/io/map/load_mask.hpp"
-#include "wend/map/direction_map.hpp"
 #include "wend/map/masked.hpp"
 #include "wend/map/occupancy.hpp"
 #include "wend/map/own_costs.hpp"
@@ -26,16 +24,6 @@ Frame frame_of(double resolution, const wend_pose* origin) {
   const wend_pose at = origin == nullptr ? wend_pose{0, 0, 0} : *origin;
   return {
       .resolution = resolution, .origin = {at.x, at.y, at.heading}, .y_up = true, .metric = true};
-}
-
-std::string wrong_count(size_t count, const std::string& what, const GridMap& map) {
-  return "there are " + std::to_string(count) + ' ' + what + " for " + std::to_string(map.size()) +
-         " cells";
-}
-
-/// As many as the map has cells.
-Grid<double> values_of(const GridMap& map, const double* values) {
-  return {map.width(), map.height(), std::vector(values, values + map.size())};
 }
 
 }  // namespace
@@ -91,9 +79,11 @@ wend_status wend_map_with_terrain(const wend_map* map, const double* terrain, si
     if (map == nullptr) return refused("map is null");
     if (terrain == nullptr) return refused("terrain is null");
     if (count != map->map.size()) {
-      return refused(wrong_count(count, "terrain multipliers", map->map));
+      return refused("there are " + std::to_string(count) + " terrain multipliers for " +
+                     std::to_string(map->map.size()) + " cells");
     }
-    return object_of(wend::with_terrain(map->map, values_of(map->map, terrain)));
+    return object_of(wend::with_terrain(
+        map->map, {map->map.width(), map->map.height(), std::vector(terrain, terrain + count)}));
   });
 }
 
@@ -104,28 +94,5 @@ wend_status wend_map_with_costs(const wend_map* map, wend_cost_function cost_of,
     if (cost_of == nullptr) return refused("cost_of is null");
     return object_of(wend::with_terrain(
         map->map, [&](wend::Cell cell) { return cost_of(cell.x, cell.y, context); }));
-  });
-}
-
-wend_status wend_map_with_arrows(const wend_map* map, const double* headings, size_t count,
-                                 double tolerance, double factor, wend_map** changed,
-                                 wend_error* error) {
-  return made("changed", changed, error, [&]() -> MapOutcome {
-    if (map == nullptr) return refused("map is null");
-    if (headings == nullptr) return refused("headings is null");
-    if (count != map->map.size()) return refused(wrong_count(count, "headings", map->map));
-    return object_of(
-        wend::with_arrows(map->map, values_of(map->map, headings), {tolerance, factor}));
-  });
-}
-
-wend_status wend_map_with_heights(const wend_map* map, const double* heights, size_t count,
-                                  double climb, double descend, wend_map** changed,
-                                  wend_error* error) {
-  return made("changed", changed, error, [&]() -> MapOutcome {
-    if (map == nullptr) return refused("map is null");
-    if (heights == nullptr) return refused("heights is null");
-    if (count != map->map.size()) return refused(wrong_count(count, "heights", map->map));
-    return object_of(wend::with_heights(map->map, values_of(map->map, heights), {climb, descend}));
   });
 }

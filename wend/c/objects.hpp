@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "wend/analysis/cost_to_go.hpp"
-#include "wend/cover/plan_coverage.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/map/obstacles.hpp"
 #include "wend/path/path_metrics.hpp"
@@ -20,23 +19,13 @@
 #include "wend/session/session.hpp"
 #include "wend/wend.h"
 
-namespace wend::c {
-
-/// What a session says of what blocks its robots; nothing: as the robot has it.
-struct Policies {
-  std::optional<UnknownPolicy> unknown = {};
-  std::optional<OutsidePolicy> outside = {};
-};
-
-}  // namespace wend::c
-
 struct wend_map {
   wend::GridMap map;
   std::vector<std::string> notes = {};  // on the file that it was loaded from
 };
 
 struct wend_robot {
-  wend::FreeSpaceOptions options;
+  wend::Robot robot;
 };
 
 struct wend_cancel {
@@ -44,11 +33,11 @@ struct wend_cancel {
 };
 
 struct wend_session {
-  wend_session(const wend::GridMap& first_map, const wend_robot* robot,
-               const wend::c::Policies& chosen);
+  wend_session(const wend::GridMap& first_map, const wend::Robot& robot,
+               const wend::ObstacleOptions& chosen);
 
-  /// The options of a robot, or of a point for null, in this session.
-  wend::FreeSpaceOptions options_of(const wend_robot* robot) const;
+  /// The options of a robot on this session's obstacles.
+  wend::FreeSpaceOptions options_of(const wend::Robot& robot) const;
 
   void set_map(const wend::GridMap& next);
 
@@ -58,7 +47,7 @@ struct wend_session {
   /// Planners that an exception stopped are of no use any more.
   void drop_planners();
 
-  wend::c::Policies policies;
+  wend::ObstacleOptions obstacles;
   wend::Session session;
   std::mutex mutex;                  // guards `map`
   std::optional<wend::GridMap> map;  // nothing if an exception stopped an edit
@@ -94,23 +83,10 @@ struct wend_plan {
   double start_shift;           // metres
   double goal_shift;            // metres
   bool kept;
-  std::vector<wend::PlanLeg> legs;  // `first` and `last` are poses
   wend::FreeSpace space;
   wend::Path path;
   mutable std::once_flag measured;  // guards `measures`
   mutable wend::Expected<wend::PathMetrics, wend::Error> measures;
-};
-
-struct wend_coverage {
-  /// Takes what a caller can ask for.
-  wend_coverage(const wend::Coverage& coverage, const wend::Frame& frame);
-
-  std::vector<wend_pose> poses;
-  std::vector<std::uint8_t> cells;
-  double share;
-  double length;       // metres
-  double lower_bound;  // metres
-  std::size_t turns;
 };
 
 struct wend_field {

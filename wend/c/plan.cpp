@@ -1,7 +1,6 @@
 // Plans and fields of the C interface.
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <mutex>
 #include <string>
@@ -24,16 +23,10 @@ wend_plan::wend_plan(const wend::PlanAnswer& answer)
       start_shift(answer.start_shift()),
       goal_shift(answer.goal_shift()),
       kept(answer.kept),
-      legs(answer.legs),
       space(answer.space),
       path(answer.path()) {
   for (const wend::MapPose& pose : answer.poses()) poses.push_back({pose.x, pose.y, pose.heading});
   for (const int gear : wend::gears_of(answer.path())) gears.push_back(gear);
-  const std::vector<std::size_t> joins = answer.joins();
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    legs[i].first = i == 0 ? 0 : joins[i - 1];
-    legs[i].last = i < joins.size() ? joins[i] : poses.size() - 1;
-  }
 }
 
 namespace wend::c {
@@ -168,18 +161,6 @@ wend_status wend_plan_metric(const wend_plan* plan, const char* name, double* va
     *value = *metric;
     return {};
   });
-}
-
-size_t wend_plan_leg_count(const wend_plan* plan) {
-  return plan == nullptr ? 0 : plan->legs.size();
-}
-
-wend_status wend_plan_leg_at(const wend_plan* plan, size_t index, wend_leg* leg) {
-  if (index >= wend_plan_leg_count(plan) || leg == nullptr) return WEND_INVALID_ARGUMENT;
-  const wend::PlanLeg& of = plan->legs[index];
-  *leg = {of.from.c_str(), of.to.c_str(),       of.cost,  of.bound, of.length,
-          of.goal_shift,   of.metrics.expanded, of.first, of.last};
-  return WEND_OK;
 }
 
 double wend_plan_lead_out_length(const wend_plan* plan) {

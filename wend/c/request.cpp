@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "wend/c/fields.hpp"
+#include "wend/base/registry.hpp"
 #include "wend/c/objects.hpp"
 #include "wend/session/request_fields.hpp"
 
@@ -113,15 +113,26 @@ Done put_fields(const wend_request& given, double resolution, PlanRequest& asked
   return {};
 }
 
-Expected<std::vector<MapGoal>, Failure> goals_of(const wend_request& request, bool closed) {
-  if (closed) {
-    if (request.goal_count == 0) return std::vector<MapGoal>{};
-    return refused("a closed path ends at its start: wend_request.goal_count must be 0");
-  }
+/// The goals of a request; NaN is any heading.
+Expected<std::vector<MapGoal>, Failure> goals_of(const wend_request& request) {
   if (request.goals == nullptr || request.goal_count == 0) {
     return refused("wend_request has no goals");
   }
-  return places_of(request.goals, request.goal_count, "wend_request.goal");
+  if (request.goal_count > kMostGoals) {
+    return refused("wend_request.goal_count is " + std::to_string(request.goal_count) +
+                   ": at most " + std::to_string(kMostGoals) + " expected");
+  }
+  std::vector<MapGoal> goals;
+  goals.reserve(request.goal_count);
+  for (std::size_t i = 0; i < request.goal_count; ++i) {
+    const auto& [x, y, heading] = request.goals[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || std::isinf(heading)) {
+      return refused("wend_request.goals[" + std::to_string(i) + "] contains NaN or infinity");
+    }
+    MapGoal& goal = goals.emplace_back(MapPoint{x, y});
+    if (!std::isnan(heading)) goal.heading = heading;
+  }
+  return goals;
 }
 
 Expected<PlannerSpec, Failure> planner_of(const wend_request& request) {
@@ -135,33 +146,19 @@ Expected<PlannerSpec, Failure> planner_of(const wend_request& request) {
   return std::move(specs->front());
 }
 
-}  // namespace
-
-Expected<std::vector<MapGoal>, Failure> places_of(const wend_pose* poses, std::size_t count,
-                                                  const std::string& name) {
-  if (count > kMostGoals) {
-    return refused(name + "_count is " + std::to_string(count) + ": at most " +
-                   std::to_string(kMostGoals) + " expected");
-  }
-  std::vector<MapGoal> places;
-  places.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& [x, y, heading] = poses[i];
-    if (!std::isfinite(x) || !std::isfinite(y) || std::isinf(heading)) {
-      return refused(name + "s[" + std::to_string(i) + "] contains NaN or infinity");
-    }
-    MapGoal& place = places.emplace_back(MapPoint{x, y});
-    if (!std::isnan(heading)) place.heading = heading;
-  }
-  return places;
+Error unknown_field(std::string_view name) {
+  std::vector<std::string> names;
+  for (const RequestField& field : request_fields()) names.emplace_back(field.info.name);
+  return {Status::invalid_option, unknown_name("field of a request", name, names), {}};
 }
 
-Expected<PlanRequest, Failure> request_of(const wend_request* given, double resolution,
-                                          bool closed) {
+}  // namespace
+
+Expected<PlanRequest, Failure> request_of(const wend_request* given, double resolution) {
   if (given == nullptr) return refused("request is null");
   const auto request = options_of("wend_request", given, request_defaults());
   if (!request) return Unexpected<Failure>(request.error());
-  auto goals = goals_of(*request, closed);
+  auto goals = goals_of(*request);
   if (!goals) return Unexpected<Failure>(std::move(goals.error()));
   auto planner = planner_of(*request);
   if (!planner) return Unexpected<Failure>(std::move(planner.error()));
@@ -185,15 +182,16 @@ wend_status wend_request_set(wend_request* request, const char* name, double val
                              wend_error* error) {
   return guarded(error, [&]() -> Done {
     if (request == nullptr) return refused("request is null");
+    if (name == nullptr) return refused("name is null");
     if (const auto sized = options_of("wend_request", request, request_defaults()); !sized) {
       return wend::Unexpected<Failure>(sized.error());
     }
-    const auto field = field_named(wend::request_fields(), name, "request");
-    if (!field) return wend::Unexpected<Failure>(field.error());
-    const wend::FieldInfo& info = (*field)->info;
+    const wend::RequestField* const field = wend::request_field(name);
+    if (field == nullptr) return failed(unknown_field(name));
+    const wend::FieldInfo& info = field->info;
     const bool unset = std::isnan(value) && std::isnan(info.default_value);
     if (auto fault = info.fault_of(value); fault && !unset) return failed(*std::move(fault));
-    assign(*request, static_cast<std::size_t>(*field - wend::request_fields().data()), value);
+    assign(*request, static_cast<std::size_t>(field - wend::request_fields().data()), value);
     return {};
   });
 }
@@ -201,5 +199,10 @@ wend_status wend_request_set(wend_request* request, const char* name, double val
 size_t wend_request_field_count() { return wend::request_fields().size(); }
 
 wend_status wend_request_field_at(size_t index, wend_field_info* info) {
-  return field_at(wend::request_fields(), index, info);
+  if (index >= wend::request_fields().size() || info == nullptr) return WEND_INVALID_ARGUMENT;
+  const wend::FieldInfo& field = wend::request_fields()[index].info;
+  const std::int32_t is_flag = field.kind == wend::OptionKind::flag ? 1 : 0;
+  *info = {field.name.data(), field.unit.data(),  field.help.data(), is_flag, 0,
+           field.greatest,    field.default_value};
+  return WEND_OK;
 }

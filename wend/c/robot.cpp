@@ -1,11 +1,7 @@
 // Robots of the C interface.
 
-#include <utility>
-
 #include "wend/c/boundary.hpp"
-#include "wend/c/fields.hpp"
 #include "wend/c/objects.hpp"
-#include "wend/robot/robot_fields.hpp"
 
 namespace wend::c {
 namespace {
@@ -60,10 +56,7 @@ RobotResult make_robot(const wend_robot_options& options) {
   if (auto space = make_free_space(Obstacles(*std::move(one_cell)), robot); !space) {
     return failed(std::move(space.error()));
   }
-  return std::make_unique<wend_robot>(
-      wend::FreeSpaceOptions{.footprint = robot.footprint,
-                             .clearance_distance = robot.clearance_distance,
-                             .clearance_cost = robot.clearance_cost});
+  return std::make_unique<wend_robot>(robot);
 }
 
 }  // namespace
@@ -83,24 +76,6 @@ wend_status wend_robot_create(const wend_robot_options* options, wend_robot** ro
     if (!chosen) return wend::Unexpected<Failure>(chosen.error());
     return make_robot(*chosen);
   });
-}
-
-wend_status wend_robot_set(wend_robot* robot, const char* name, double value, wend_error* error) {
-  return guarded(error, [&]() -> wend::Expected<void, Failure> {
-    if (robot == nullptr) return refused("robot is null");
-    const auto field = field_named(wend::robot_fields(), name, "robot");
-    if (!field) return wend::Unexpected<Failure>(field.error());
-    if (auto set = (*field)->set(robot->options, value); !set) {
-      return failed(std::move(set.error()));
-    }
-    return {};
-  });
-}
-
-size_t wend_robot_field_count() { return wend::robot_fields().size(); }
-
-wend_status wend_robot_field_at(size_t index, wend_field_info* info) {
-  return field_at(wend::robot_fields(), index, info);
 }
 
 void wend_robot_free(wend_robot* robot) { delete robot; }

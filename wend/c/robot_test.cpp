@@ -1,15 +1,12 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/testing/c_objects.hpp"
 #include "wend/c/objects.hpp"
-#include "wend/robot/robot_fields.hpp"
 
 namespace wend::test {
 namespace {
@@ -31,24 +28,22 @@ Refusal refused_robot(const wend_robot_options& options) {
 
 TEST(CRobot, IsAPointADiscOrAPolygon) {
   wend_robot_options options = robot_options();
-  EXPECT_EQ(made_robot(options)->options, FreeSpaceOptions{});
+  EXPECT_EQ(made_robot(options)->robot, Robot{});
   options.radius = 0.2;
   options.clearance_distance = 0.5;
   options.clearance_cost = 3;
-  EXPECT_EQ(made_robot(options)->options, (FreeSpaceOptions{.footprint = Footprint::disc(0.2),
-                                                            .clearance_distance = 0.5,
-                                                            .clearance_cost = 3}));
+  EXPECT_EQ(made_robot(options)->robot, (Robot{Footprint::disc(0.2), 0.5, 3}));
   options.radius = 0;
   options.corners = kBox.data();
   options.corner_count = kBox.size();
-  EXPECT_EQ(made_robot(options)->options.footprint,
+  EXPECT_EQ(made_robot(options)->robot.footprint,
             parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25").value());
 }
 
 TEST(CRobot, IsReadFromText) {
   wend_robot_options options = robot_options();
   options.footprint = "rect:0.8x0.4,0.6";
-  EXPECT_EQ(made_robot(options)->options.footprint, *Footprint::rectangle(0.8, 0.4, 0.6));
+  EXPECT_EQ(made_robot(options)->robot.footprint, *Footprint::rectangle(0.8, 0.4, 0.6));
   options.footprint = "rect:0.8";
   EXPECT_EQ(refused_robot(options).status, WEND_INVALID_OPTION);
   options.footprint = "disc:0.2";
@@ -62,7 +57,7 @@ TEST(CRobot, MayHaveItsBasePointOutsideItsCorners) {
   for (wend_point& corner : corners) corner.x += 10;
   options.corners = corners.data();
   options.corner_count = corners.size();
-  EXPECT_FALSE(made_robot(options)->options.footprint.covers_base_point());
+  EXPECT_FALSE(made_robot(options)->robot.footprint.covers_base_point());
 }
 
 TEST(CRobot, RefusesNumbersOutOfRange) {
@@ -101,33 +96,6 @@ TEST(CRobot, RefusesCornersThatAreNotAPolygon) {
   corners = kBox;
   corners[1].y = kAnyHeading;
   EXPECT_EQ(refused_robot(options).status, WEND_INVALID_OPTION);
-}
-
-/// By name: each field does what the list says it does.
-TEST(CRobot, HasEveryFieldOfTheListByName) {
-  const auto robot = made_robot(robot_options());
-  FreeSpaceOptions expected;
-  for (const RobotField& field : robot_fields()) {
-    const std::string name(field.info.name);
-    for (const double value : {field.info.greatest, 1.0, 0.0}) {
-      ASSERT_TRUE(field.set(expected, value));
-      EXPECT_EQ(wend_robot_set(robot.get(), name.c_str(), value, nullptr), WEND_OK) << name;
-      EXPECT_EQ(robot->options, expected) << name;
-    }
-    for (const double value : {-1.0, kAnyHeading, std::numeric_limits<double>::infinity()}) {
-      EXPECT_EQ(wend_robot_set(robot.get(), name.c_str(), value, nullptr), WEND_INVALID_OPTION);
-    }
-  }
-  EXPECT_EQ(robot->options, expected) << "a value that is refused changes nothing";
-}
-
-TEST(CRobot, SaysWhichFieldIsMeant) {
-  const auto robot = made_robot(robot_options());
-  wend_error error;
-  EXPECT_EQ(wend_robot_set(robot.get(), "clearance", 1, &error), WEND_INVALID_OPTION);
-  EXPECT_THAT(error.message, ::testing::HasSubstr("clearance_cost")) << error.message;
-  EXPECT_EQ(wend_robot_set(robot.get(), nullptr, 1, &error), WEND_INVALID_ARGUMENT);
-  EXPECT_EQ(wend_robot_set(nullptr, "unknown", 1, &error), WEND_INVALID_ARGUMENT);
 }
 
 TEST(CRobot, RefusesNullPointersAndOtherStructures) {

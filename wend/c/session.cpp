@@ -14,15 +14,16 @@
 #include "wend/c/request.hpp"
 #include "wend/planner/goal_region.hpp"
 
-wend_session::wend_session(const wend::GridMap& first_map, const wend_robot* robot,
-                           const wend::c::Policies& chosen)
-    : policies(chosen), session(first_map, options_of(robot)), map(first_map) {}
+wend_session::wend_session(const wend::GridMap& first_map, const wend::Robot& robot,
+                           const wend::ObstacleOptions& chosen)
+    : obstacles(chosen), session(first_map, options_of(robot)), map(first_map) {}
 
-wend::FreeSpaceOptions wend_session::options_of(const wend_robot* robot) const {
-  wend::FreeSpaceOptions options = robot == nullptr ? wend::FreeSpaceOptions{} : robot->options;
-  options.unknown = policies.unknown.value_or(options.unknown);
-  if (policies.outside) options.outside = policies.outside;
-  return options;
+wend::FreeSpaceOptions wend_session::options_of(const wend::Robot& robot) const {
+  return {.footprint = robot.footprint,
+          .unknown = obstacles.unknown,
+          .outside = obstacles.outside,
+          .clearance_distance = robot.clearance_distance,
+          .clearance_cost = robot.clearance_cost};
 }
 
 void wend_session::set_map(const wend::GridMap& next) {
@@ -62,37 +63,25 @@ constexpr wend_session_options kSessionDefaults{sizeof(wend_session_options), WE
 
 MapPose map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading}; }
 
-template <class Policy>
-Expected<std::optional<Policy>, Failure> policy_of(std::int32_t policy) {
-  if (policy == WEND_POLICY_DEFAULT) return std::nullopt;
-  if (policy == WEND_POLICY_BLOCKED) return Policy::blocked;
-  if (policy == WEND_POLICY_FREE) return Policy::free;
-  return refused("wend_session_options has the policy " + std::to_string(policy) +
-                 ", not a value of wend_policy");
+Robot robot_or_point(const wend_robot* robot) { return robot == nullptr ? Robot{} : robot->robot; }
+
+Expected<ObstacleOptions, Failure> obstacles_of(const wend_session_options& options) {
+  for (const std::int32_t policy : {options.unknown, options.outside}) {
+    if (policy < WEND_POLICY_DEFAULT || policy > WEND_POLICY_FREE) {
+      return refused("wend_session_options has the policy " + std::to_string(policy) +
+                     ", not a value of wend_policy");
+    }
+  }
+  ObstacleOptions obstacles;
+  if (options.unknown == WEND_POLICY_FREE) obstacles.unknown = UnknownPolicy::free;
+  if (options.outside == WEND_POLICY_FREE) obstacles.outside = OutsidePolicy::free;
+  if (options.outside == WEND_POLICY_BLOCKED) obstacles.outside = OutsidePolicy::blocked;
+  return obstacles;
 }
 
-Expected<Policies, Failure> policies_of(const wend_session_options& options) {
-  const auto unknown = policy_of<UnknownPolicy>(options.unknown);
-  if (!unknown) return Unexpected<Failure>(unknown.error());
-  const auto outside = policy_of<OutsidePolicy>(options.outside);
-  if (!outside) return Unexpected<Failure>(outside.error());
-  return Policies{*unknown, *outside};
-}
-
-/// The places to pass on the way.
-struct Vias {
-  const wend_pose* poses = nullptr;
-  std::size_t count = 0;
-  bool closed = false;
-};
-
-RequestResult plan_request_of(const wend_request* given, double resolution, const Vias& vias) {
-  auto asked = request_of(given, resolution, vias.closed);
+RequestResult plan_request_of(const wend_request* given, double resolution) {
+  auto asked = request_of(given, resolution);
   if (!asked) return asked;
-  auto places = places_of(vias.poses, vias.count, "via");
-  if (!places) return Unexpected<Failure>(std::move(places.error()));
-  asked->vias = *std::move(places);
-  asked->closed = vias.closed;
   if (!is_finite(given->start)) return refused("wend_request.start contains NaN or infinity");
   asked->start = map_pose(given->start);
   return asked;
@@ -120,10 +109,10 @@ void tell_solutions(const wend_request& request, const FreeSpace& space, std::at
 
 Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
                                                         const wend_request* request,
-                                                        const Vias& vias, PlanOnView plan_on) {
+                                                        PlanOnView plan_on) {
   const auto view = handle.session.view();
   if (!view) return failed(view.error());
-  auto asked = plan_request_of(request, view->space.map().frame().resolution, vias);
+  auto asked = plan_request_of(request, view->space.map().frame().resolution);
   if (!asked) return Unexpected<Failure>(asked.error());
   std::atomic<bool> enough = false;
   if (request->on_solution != nullptr) tell_solutions(*request, view->space, enough, *asked);
@@ -134,11 +123,10 @@ Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
 }
 
 wend_status plan_by(wend_session* session, const wend_request* request, wend_plan** plan,
-                    wend_error* error, const Vias& vias, PlanOnView plan_on) {
+                    wend_error* error, PlanOnView plan_on) {
   return made("plan", plan, error, [&]() -> Expected<std::unique_ptr<wend_plan>, Failure> {
     if (session == nullptr) return refused("session is null");
-    return or_without_planners(*session,
-                               [&] { return make_plan(*session, request, vias, plan_on); });
+    return or_without_planners(*session, [&] { return make_plan(*session, request, plan_on); });
   });
 }
 
@@ -206,9 +194,9 @@ wend_status wend_session_create(const wend_map* map, const wend_robot* robot,
     if (map == nullptr) return refused("map is null");
     const auto chosen = wend::c::options_of("wend_session_options", options, kSessionDefaults);
     if (!chosen) return wend::Unexpected<Failure>(chosen.error());
-    const auto policies = policies_of(*chosen);
-    if (!policies) return wend::Unexpected<Failure>(policies.error());
-    return std::make_unique<wend_session>(map->map, robot, *policies);
+    const auto obstacles = obstacles_of(*chosen);
+    if (!obstacles) return wend::Unexpected<Failure>(obstacles.error());
+    return std::make_unique<wend_session>(map->map, robot_or_point(robot), *obstacles);
   });
 }
 
@@ -225,7 +213,7 @@ wend_status wend_session_set_robot(wend_session* session, const wend_robot* robo
                                    wend_error* error) {
   return guarded(error, [&]() -> Done {
     if (session == nullptr) return refused("session is null");
-    session->session.set_robot(session->options_of(robot));
+    session->session.set_robot(session->options_of(robot_or_point(robot)));
     return {};
   });
 }
@@ -268,24 +256,12 @@ void wend_cancel_free(wend_cancel* cancel) { delete cancel; }
 
 wend_status wend_session_plan(wend_session* session, const wend_request* request, wend_plan** plan,
                               wend_error* error) {
-  return plan_by(session, request, plan, error, {}, &wend::Session::plan);
-}
-
-wend_status wend_session_plan_through(wend_session* session, const wend_request* request,
-                                      const wend_pose* vias, size_t via_count, int32_t closed,
-                                      wend_plan** plan, wend_error* error) {
-  if (vias == nullptr && via_count > 0) {
-    return made("plan", plan, error, []() -> wend::Expected<std::unique_ptr<wend_plan>, Failure> {
-      return refused("vias is null");
-    });
-  }
-  return plan_by(session, request, plan, error, {vias, via_count, closed != 0},
-                 &wend::Session::plan);
+  return plan_by(session, request, plan, error, &wend::Session::plan);
 }
 
 wend_status wend_session_replan(wend_session* session, const wend_request* request,
                                 wend_plan** plan, wend_error* error) {
-  return plan_by(session, request, plan, error, {}, &wend::Session::replan);
+  return plan_by(session, request, plan, error, &wend::Session::replan);
 }
 
 wend_status wend_session_field(wend_session* session, const wend_request* request,

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "wend/explore/visible_cells.hpp"
-#include "wend/map/direction_map.hpp"
 #include "wend/planner/rest_of_path.hpp"
 #include "wend/space/grid/grid_path.hpp"
 
@@ -18,12 +16,8 @@ constexpr double kRounding = 1e-9;  // of sums of costs
 
 Expected<GridMap, Error> first_belief(const GridMap& truth, const std::optional<GridMap>& known) {
   if (!known) {
-    auto unseen = make_grid_map(Grid<CellState>(truth.width(), truth.height(), CellState::unknown),
-                                truth.frame());
-    if (unseen && truth.directions() != nullptr) {  // signs that the robot knows
-      unseen->set_directions(std::make_shared<const DirectionMap>(*truth.directions()));
-    }
-    return unseen;
+    return make_grid_map(Grid<CellState>(truth.width(), truth.height(), CellState::unknown),
+                         truth.frame());
   }
   if (known->width() != truth.width() || known->height() != truth.height()) {
     return failure(Status::invalid_option,

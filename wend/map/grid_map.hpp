@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,8 +36,6 @@ enum class CellState : unsigned char {
   occupied,  // an obstacle
   unknown    // not seen yet; UnknownPolicy decides
 };
-
-class DirectionMap;  // direction_map.hpp
 
 /// Cells that a mask blocks and the map itself does not: the zone of a keep-out mask. A robot inside may leave it.
 struct MapZone {
@@ -98,15 +95,6 @@ class GridMap {
   /// Adds a zone, as large as the map, whose cells are occupied.
   void add_zone(MapZone zone) { data_.change().zones.push_back(std::move(zone)); }
 
-  /// What moves cost by their direction; null if all directions cost the same. Edits do not change it.
-  const DirectionMap* directions() const { return data_->directions.get(); }
-  /// Sets it, for the same size of map; null: none.
-  void set_directions(std::shared_ptr<const DirectionMap> directions) {
-    data_.change().directions = std::move(directions);
-  }
-  /// Takes zones and directions from another map of the same size.
-  WEND_API void take_masks_of(const GridMap& other);
-
   /// Changes cells; other copies keep what they were. Cells whose state an edit sets are no longer cells of a
   /// zone. Returns boxes that contain the cells that differ from
   /// before, few and small; none if there are none. Fails as fault_of() does, and changes nothing then.
@@ -124,7 +112,6 @@ class GridMap {
     Frame frame;
     std::size_t dear_cells;  // that cost more than 1
     std::vector<MapZone> zones = {};
-    std::shared_ptr<const DirectionMap> directions = {};  // null: none
   };
 
   explicit GridMap(Data data) : data_(std::in_place, std::move(data)) {}

@@ -83,12 +83,6 @@ void GridMap::forget_zones(Data& data, const MapEdit& edit) {
   }
 }
 
-void GridMap::take_masks_of(const GridMap& other) {
-  Data& data = data_.change();
-  data.zones = other.data_->zones;
-  data.directions = other.data_->directions;
-}
-
 Expected<std::vector<CellBox>, Error> GridMap::edit(const MapEdit& edit) {
   if (auto fault = fault_of(edit, *this)) return Unexpected<Error>(*std::move(fault));
   Data& data = data_.change();

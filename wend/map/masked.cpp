@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,7 +11,6 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/trigonometry.hpp"
-#include "wend/map/direction_map.hpp"
 
 namespace wend {
 namespace {
@@ -89,16 +87,6 @@ class MaskedCells {
 
   bool touched() const { return touched_; }
 
-  /// What the mask says of directions there. The first one counts.
-  void take_direction(Cell cell, Cell of_mask, const RulePlacement& placement) {
-    const DirectionMap* const directions = mask_.directions();
-    if (directions == nullptr || directions->none_at(of_mask)) return;
-    if (!directions_) directions_.emplace(map_.width(), map_.height());
-    if (directions_->none_at(cell)) {
-      directions_->add(cell, placed(directions->rule(of_mask), placement));
-    }
-  }
-
   Expected<GridMap, Error> finish() && {
     Grid<double> terrain = map_.terrain();
     if (terrain.empty()) {
@@ -113,24 +101,10 @@ class MaskedCells {
         make_grid_map(std::move(occupied_), std::move(unknown_), map_.frame(), std::move(terrain));
     if (!made) return made;
     for (MapZone& zone : zones_) made->add_zone(std::move(zone));
-    made->set_directions(directions());
     return made;
   }
 
  private:
-  /// The map's own and the mask's.
-  std::shared_ptr<const DirectionMap> directions() const {
-    DirectionMap all = directions_of(map_);
-    if (directions_) {
-      for (const Cell cell : every_cell(map_)) {
-        if (!directions_->none_at(cell)) all.add(cell, directions_->rule(cell));
-      }
-    } else if (map_.directions() == nullptr) {
-      return nullptr;
-    }
-    return std::make_shared<const DirectionMap>(std::move(all));
-  }
-
   /// The zone of the same name, made if there is none.
   void add_to_zone(Cell cell, Cell of_mask) {
     const MapZone* const own = mask_.zone(of_mask);
@@ -147,8 +121,7 @@ class MaskedCells {
   BitGrid occupied_;
   BitGrid unknown_;
   std::vector<MapZone> zones_;
-  Grid<double> factors_;                    // empty if the mask makes nothing dearer
-  std::optional<DirectionMap> directions_;  // of the mask, on the map's grid
+  Grid<double> factors_;  // empty if the mask makes nothing dearer
   bool touched_ = false;
 };
 
@@ -177,13 +150,6 @@ bool share_metres(const GridMap& map, const GridMap& mask) {
   return one.metric && other.metric && one.y_up == other.y_up;
 }
 
-RulePlacement rule_placement(const GridMap& map, const GridMap& mask) {
-  const Frame& one = map.frame();
-  const Frame& other = mask.frame();
-  if (share_metres(map, mask)) return {.turn = other.origin.heading - one.origin.heading};
-  return {.mirrored = one.y_up != other.y_up, .stretch = other.resolution / one.resolution};
-}
-
 std::string why_same_size(const GridMap& map, const GridMap& mask) {
   if (!map.frame().metric) return "the map has no resolution";
   if (!mask.frame().metric) return "the mask has no resolution";
@@ -205,17 +171,12 @@ Expected<GridMap, Error> masked(const GridMap& map, const GridMap& mask) {
   }
   const auto place = by_frames ? &Placement::by_frames : &Placement::as_drawn;
   const Placement on_mask = place(map, mask);
-  const RulePlacement rules = rule_placement(map, mask);
-  const auto take = [&](Cell cell, Cell of_mask) {
-    cells.take(cell, of_mask);
-    cells.take_direction(cell, of_mask, rules);
-  };
   for (const Cell cell : every_cell(map)) {
-    if (const auto at = on_mask(cell)) take(cell, *at);
+    if (const auto at = on_mask(cell)) cells.take(cell, *at);
   }
   const Placement on_map = place(mask, map);
   for (const Cell cell : every_cell(mask)) {
-    if (const auto at = on_map(cell)) take(*at, cell);
+    if (const auto at = on_map(cell)) cells.take(*at, cell);
   }
   if (!cells.touched()) {
     return unfit("the mask does not touch the map: the mask covers " + extent_text(mask) +

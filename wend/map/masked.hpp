@@ -2,12 +2,11 @@
 
 // Masks: maps that are laid over another one. An occupied cell of a mask is a keep-out zone, which blocks the
 // map; a free one multiplies the cost of a unit of length by its own multiplier; an unknown one says nothing.
-// Zones block the robot's whole shape, as every obstacle does. A mask with directions (direction_map.hpp) adds its arrows
-// and slopes, turned as the mask lies. Masks can be laid one after another, in any order.
+// Zones block the robot's whole shape, as every obstacle does. Masks can be laid one after another, in any order.
 //
 // The grids may differ. If both are in metres, frames say where they lie, and the mask may cover a part of the
 // map. A cell takes what the mask has at its middle, and where the mask is finer, the worst of the cells whose
-// middles lie in it: blocked, else the greatest multiplier; of directions, the one at its middle. If one of the two has no resolution, or the y axes
+// middles lie in it: blocked, else the greatest multiplier. If one of the two has no resolution, or the y axes
 // differ (Frame::y_up), both must have the same size, and lie on each other as they are drawn.
 //
 //   const auto zones = wend::load_mask("keepout.yaml");

@@ -4,7 +4,8 @@ namespace wend {
 
 Expected<GridMap, Error> with_terrain(const GridMap& map, Grid<double> terrain) {
   auto made = make_grid_map(map.occupied(), map.unknown(), map.frame(), std::move(terrain));
-  if (made) made->take_masks_of(map);
+  if (!made) return made;
+  for (const MapZone& zone : map.zones()) made->add_zone(zone);
   return made;
 }
 

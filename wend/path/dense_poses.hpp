@@ -14,9 +14,8 @@
 namespace wend {
 
 /// The poses of a path in grid coordinates, and more on its arcs: the straight lines between them stay
-/// within `tolerance` (> 0) cells of the path, or a millionth of a cell if that is more, or as near as kMostPosesAlong
-/// of them (polyline.hpp), at least one an arc, come to it. None for a path with a fault (path_fault.hpp). O(poses of
-/// the result).
+/// within `tolerance` (> 0) cells of the path, or a millionth of a cell if that is more. None for a path with a fault
+/// (path_fault.hpp). At most kMostPosesAlong (polyline.hpp) on arcs. O(poses of the result).
 WEND_API std::vector<Pose> dense_poses(const Path& path, double tolerance = 0.01);
 
 }  // namespace wend

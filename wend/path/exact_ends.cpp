@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "wend/robot/directed_way.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
@@ -22,16 +21,14 @@ bool share_an_edge(Point a, Point b) {
 
 class Beginning {
  public:
-  /// `backwards`: of the path from its end on.
-  Beginning(const FreeSpace& space, Adjacency adjacency, bool backwards)
-      : space_(space), adjacency_(adjacency), backwards_(backwards) {}
+  Beginning(const FreeSpace& space, Adjacency adjacency) : space_(space), adjacency_(adjacency) {}
 
   /// Makes the points begin at another point. False if they stay as they are.
   bool change(std::vector<Point>& points, Point start) const {
     const Point centre = points.front();
     if (distance(start, centre) <= kSamePoint) return false;
     const bool straight = points.size() > 1 && fits(start, points[1]) &&
-                          (costs_its_length() || share_an_edge(start, points[1]));
+                          (space_.uniform_terrain() || share_an_edge(start, points[1]));
     if (straight) {
       points.front() = start;
       return true;
@@ -42,17 +39,12 @@ class Beginning {
   }
 
  private:
-  bool costs_its_length() const {
-    return space_.uniform_terrain() && space_.directions() == nullptr;
-  }
   bool fits(Point from, Point to) const {
-    return disc_fits_along(space_, Line{from, to}, adjacency_) &&
-           may_go_along(space_, backwards_ ? Line{to, from} : Line{from, to});
+    return disc_fits_along(space_, Line{from, to}, adjacency_);
   }
 
   const FreeSpace& space_;
   Adjacency adjacency_;
-  bool backwards_;
 };
 
 }  // namespace
@@ -60,10 +52,11 @@ class Beginning {
 Path with_ends(const Path& path, const PathEnds& ends, const FreeSpace& space,
                Adjacency adjacency) {
   assert(!path.empty() && !path.driven());
+  const Beginning beginning(space, adjacency);
   std::vector<Point> points = path.points();
-  const bool begins = Beginning(space, adjacency, false).change(points, ends.start);
+  const bool begins = beginning.change(points, ends.start);
   std::ranges::reverse(points);
-  const bool stops = Beginning(space, adjacency, true).change(points, ends.goal);
+  const bool stops = beginning.change(points, ends.goal);
   if (!begins && !stops) return path;
   std::ranges::reverse(points);
   return path.leads_over_cells() ? Path::over_cells(std::move(points))

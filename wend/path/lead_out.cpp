@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "wend/geometry/segment.hpp"
-#include "wend/path/joins.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 #include "wend/robot/sweep/sweep.hpp"
 
@@ -161,6 +160,20 @@ LedPath led_along(const Path& path, const FreeSpace& space, double most, Adjacen
   return {collision_at(walk.at(), space), walk.at().along, false};
 }
 
+/// Some joints of a path, in order.
+Path part_of(const Path& path, std::size_t first, std::size_t count) {
+  const auto some = [&](auto joints) {
+    const auto part = joints.subspan(first, count);
+    return std::vector(part.begin(), part.end());
+  };
+  return path.visit([&](std::span<const Cell> cells) { return Path(some(cells)); },
+                    [&](std::span<const Point> waypoints) {
+                      return path.leads_over_cells() ? Path::over_cells(some(waypoints))
+                                                     : Path::along(some(waypoints));
+                    },
+                    [&](const JoinedPoses& drive) { return Path::through(some(drive.poses())); });
+}
+
 }  // namespace
 
 Path joined(const Path& lead, const Path& rest) {
@@ -187,10 +200,10 @@ Path joined(const Path& lead, const Path& rest) {
       });
 }
 
-Path lead_of(const Path& path, std::size_t points) { return part_of(path, 0, points); }
+Path lead_of(const Path& path, std::size_t points) { return part_of(path, 0, points + 1); }
 
 Path behind_lead(const Path& path, std::size_t points) {
-  return part_of(path, points, path.size() - 1);
+  return part_of(path, points, path.size() - points);
 }
 
 LedPath check_with_lead(const Path& path, const FreeSpace& space, double most,

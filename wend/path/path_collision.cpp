@@ -10,7 +10,6 @@
 #include "wend/base/choice.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/path/path_fault.hpp"
-#include "wend/robot/directed_way.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 #include "wend/robot/sweep/placed_polygon.hpp"
 #include "wend/robot/sweep/point_sweep.hpp"
@@ -136,10 +135,8 @@ class PathSweep {
   std::optional<PathCollision> collision_along(const Way& way) {
     if (!on_map(space_, way)) return collision_on_the_way_out(way);
     PointSweep point = point_;
-    AgainstArrows arrows = arrows_;
-    if (!fits(point, arrows, way)) return first_contact(way, 1);
+    if (!fits(point, way)) return first_contact(way, 1);
     point_ = point;
-    arrows_ = arrows;
     return std::nullopt;
   }
 
@@ -154,16 +151,10 @@ class PathSweep {
   }
 
   template <class Way>
-  bool fits(PointSweep& point, AgainstArrows& arrows, const Way& way) const {
+  bool fits(PointSweep& point, const Way& way) const {
     if (!adjacency_) return true;
-    return (space_.is_point() ? go(point, way) : fits_along(space_, way)) && go(arrows, way);
+    return space_.is_point() ? go(point, way) : fits_along(space_, way);
   }
-
-  template <class Way>
-  bool go(AgainstArrows& arrows, const Way& way) const {
-    return arrows.go_along(space_, way);
-  }
-  static bool go(AgainstArrows& /*arrows*/, const TurnInPlace& /*turn*/) { return true; }
 
   static bool go(PointSweep& point, const Line& line) { return point.go_to(line.to); }
   static bool go(PointSweep& point, const Arc& arc) { return point.go_along(arc); }
@@ -177,16 +168,7 @@ class PathSweep {
   template <class Way>
   bool fits_from_here(const Way& way) const {
     PointSweep point = point_;
-    AgainstArrows arrows = arrows_;
-    return fits(point, arrows, way);
-  }
-
-  /// Is it an arrow alone that is in its way?
-  template <class Way>
-  bool only_arrows_forbid(const Way& way) const {
-    PointSweep point = point_;
-    AgainstArrows arrows = arrows_;
-    return !go(arrows, way) && (space_.is_point() ? go(point, way) : fits_along(space_, way));
+    return fits(point, way);
   }
 
   /// How far no point of the robot goes more than.
@@ -225,11 +207,6 @@ class PathSweep {
   /// What the robot collides with at the end of a way that is just too long.
   template <class Way>
   void tell(const Way& way, PathCollision& collision) const {
-    if (only_arrows_forbid(way)) {
-      collision.kind = CollisionKind::against;
-      collision.obstacle = cell_at(end_of(way).point());
-      return;
-    }
     const Point end = end_of(way).point();
     constexpr double kReach = 4 * kBisected;
     const auto obstacle =
@@ -267,7 +244,6 @@ class PathSweep {
   const FreeSpace& space_;
   std::optional<Adjacency> adjacency_;
   PointSweep point_;
-  AgainstArrows arrows_;
   std::optional<double> heading_;  // of a polygon, once it has moved
   std::size_t piece_ = 0;
   double along_ = 0;
@@ -333,13 +309,12 @@ std::optional<PathCollision> collision_of(const Path& path, const FreeSpace& spa
 }  // namespace
 
 std::string_view describe(CollisionKind kind) {
-  constexpr std::array<Choice<CollisionKind>, 6> kTexts{
+  constexpr std::array<Choice<CollisionKind>, 5> kTexts{
       {{"leaves the map", CollisionKind::outside},
        {"enters an obstacle", CollisionKind::obstacle},
        {"comes closer to an obstacle than the robot's radius", CollisionKind::too_close},
        {"overlaps an obstacle with its footprint", CollisionKind::overlaps},
-       {"passes between two obstacles that touch at a corner", CollisionKind::squeezed},
-       {"leads against an arrow", CollisionKind::against}}};
+       {"passes between two obstacles that touch at a corner", CollisionKind::squeezed}}};
   return choice_name(kind, kTexts);
 }
 

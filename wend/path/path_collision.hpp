@@ -37,11 +37,10 @@ enum class CollisionKind {
   too_close,  // its disc does
   squeezed,   // a point passes between two obstacles that touch at a corner
   overlaps,   // its polygon overlaps an obstacle
-  against,    // it leads against an arrow that forbids it (DirectionMap), for 1/8 cell or more
 };
 
 /// "leaves the map", "enters an obstacle", "comes closer to an obstacle than the robot's radius",
-/// "overlaps an obstacle with its footprint", "leads against an arrow", "passes between two obstacles that touch at a corner".
+/// "overlaps an obstacle with its footprint", "passes between two obstacles that touch at a corner".
 WEND_API std::string_view describe(CollisionKind kind);
 
 /// The first collision of a path.

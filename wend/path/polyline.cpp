@@ -16,7 +16,7 @@ std::vector<Point> chords_of(Point start, std::span<const Arc> arcs, double tole
   std::vector<Point> points{start};
   const std::vector<int> counts = chord_counts(arcs, tolerance);
   for (std::size_t i = 0; i < arcs.size(); ++i) {
-    const Arc& arc = arcs[i];
+    const auto& arc = arcs[i];
     for (int k = 1; k <= counts[i]; ++k) {
       points.push_back(point_on(arc, arc.length * k / counts[i]));
     }

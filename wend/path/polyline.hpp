@@ -91,15 +91,14 @@ using MapPolyline = BasicPolyline<MapPose>;
 extern template class WEND_API BasicPolyline<Pose>;
 extern template class WEND_API BasicPolyline<MapPose>;
 
-/// No more poses than these are made along a line, nor chords along arcs.
-inline constexpr std::size_t kMostPosesAlong = 1'000'000;
-
-/// The polyline of a path (not empty, without a fault: path_fault.hpp); arcs within `tolerance` cells, or as near as
-/// kMostPosesAlong chords, at least one an arc, come to them. O(points of the path and of the polyline).
+/// The polyline of a path (not empty, without a fault); arcs within `tolerance` cells, if kMostPosesAlong chords do.
 WEND_API Polyline polyline_of(const Path& path, bool closed = false, double tolerance = 0.01);
 
 /// The same of arcs (at least one), each beginning where the one before it ends.
 WEND_API Polyline polyline_of(std::span<const Arc> arcs, double tolerance = 0.01);
+
+/// No more poses than these are made along a line, nor chords along arcs (but at least one an arc).
+inline constexpr std::size_t kMostPosesAlong = 1'000'000;
 
 /// Poses on a polyline, `spacing` (> 0) apart along it, from its beginning on; the last is its end. Only the
 /// beginning and the end for a spacing that is NaN, not above 0, or makes more than kMostPosesAlong poses.

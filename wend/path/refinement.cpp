@@ -1,12 +1,8 @@
 #include "wend/path/refinement.hpp"
 
 #include <algorithm>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "wend/base/parse.hpp"
-#include "wend/path/joins.hpp"
 #include "wend/path/largest_distance.hpp"
 #include "wend/path/length_fault.hpp"
 #include "wend/path/path_fault.hpp"
@@ -75,10 +71,22 @@ SmoothingResult smoothed_evenly(SmootherChoice choice, const Path& path, const F
   return smoothed;
 }
 
-/// What refined() does with a path without joins.
-Expected<Refined, Error> refined_leg(const Path& path, const FreeSpace& space,
-                                     const Refinement& refinement, const Deadline& deadline) {
+}  // namespace
+
+SmootherChoice smoother_for(const Path& path, const SmootherChoice& choice) {
+  const bool gradient = choice.name == SmootherChoice{}.name;
+  return path.driven() && gradient ? SmootherChoice{"drive", choice.options} : choice;
+}
+
+Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
+                                 const Refinement& refinement, const Deadline& deadline) {
   const Adjacency adjacency = refinement.adjacency;
+  if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
+  if (refinement.max_distance) {
+    if (auto fault = fault_of_length("max_distance", *refinement.max_distance)) {
+      return Unexpected<Error>(*std::move(fault));
+    }
+  }
   Refined refined{path};
   if (refinement.simplify) {
     if (auto stopped = stopped_before("simplified", deadline)) return Unexpected<Error>(*stopped);
@@ -101,68 +109,6 @@ Expected<Refined, Error> refined_leg(const Path& path, const FreeSpace& space,
     refined.path = *std::move(even);
   }
   return refined;
-}
-
-/// How the smoothing of legs went, one after the other. `held` is a share of the points.
-Smoothed in_a_row(std::span<const Smoothed> legs) {
-  Smoothed all = legs.front();
-  std::vector<Path> paths{all.path};
-  auto points = static_cast<double>(all.path.size());
-  for (const Smoothed& leg : legs.subspan(1)) {
-    const auto more = static_cast<double>(leg.path.size());
-    all.held = (all.held * points + leg.held * more) / (points + more);
-    points += more;
-    paths.push_back(leg.path);
-    all.sweeps += leg.sweeps;
-    all.converged &= leg.converged;
-    all.returned &= leg.returned;
-    all.stopped |= leg.stopped;
-    all.distance = std::max(all.distance, leg.distance);
-    all.within_bound &= leg.within_bound;
-  }
-  all.path = end_to_end(paths);
-  return all;
-}
-
-Expected<Refined, Error> refined_legs(const Path& path, const FreeSpace& space,
-                                      const Refinement& refinement, const Deadline& deadline) {
-  Refined whole;
-  std::vector<Path> paths;
-  std::vector<Smoothed> smoothed;
-  std::size_t last = 0;
-  for (const Path& leg : legs_between(path, refinement.joins)) {
-    auto refined = refined_leg(leg, space, refinement, deadline);
-    if (!refined) return refined;
-    if (!paths.empty()) whole.joins.push_back(last);
-    last += refined->path.size() - 1;
-    paths.push_back(std::move(refined->path));
-    if (refined->smoothing) smoothed.push_back(*std::move(refined->smoothing));
-  }
-  whole.path = end_to_end(paths);
-  if (!smoothed.empty()) whole.smoothing = in_a_row(smoothed);
-  return whole;
-}
-
-}  // namespace
-
-SmootherChoice smoother_for(const Path& path, const SmootherChoice& choice) {
-  const bool gradient = choice.name == SmootherChoice{}.name;
-  return path.driven() && gradient ? SmootherChoice{"drive", choice.options} : choice;
-}
-
-Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
-                                 const Refinement& refinement, const Deadline& deadline) {
-  if (auto fault = fault_of(path, space)) return Unexpected<Error>(*std::move(fault));
-  if (refinement.max_distance) {
-    if (auto fault = fault_of_length("max_distance", *refinement.max_distance)) {
-      return Unexpected<Error>(*std::move(fault));
-    }
-  }
-  if (auto fault = fault_of_joins(refinement.joins, path.size())) {
-    return Unexpected<Error>(*std::move(fault));
-  }
-  return refinement.joins.empty() ? refined_leg(path, space, refinement, deadline)
-                                  : refined_legs(path, space, refinement, deadline);
 }
 
 }  // namespace wend

@@ -7,10 +7,8 @@
 //                                       .smoother = wend::SmootherChoice{"gradient"}});
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/deadline.hpp"
@@ -56,22 +54,18 @@ struct Refinement {
   Adjacency adjacency = Adjacency::edges;    // what a point may squeeze through
   /// How far from the path (simplified, if that is asked for) smoothing may lead, in cells; unset: as the smoother says.
   std::optional<double> max_distance{};
-  /// Points of the path that stay (joins.hpp): the legs between them are refined, each on its own.
-  std::vector<std::size_t> joins{};
 };
 
 /// What refined() made.
 struct Refined {
   Path path;                            // the refined path
   std::optional<Smoothed> smoothing{};  // how that went; its path is as it was before resampling
-  std::vector<std::size_t> joins{};     // where those of the refinement are in the path
 };
 
 /// Lines are smoothed as points about a cell apart, however far apart or near to each other they are given.
 /// Errors are those of simplification, of the smoother and of resampling; unsupported_query for a drive that is to be
-/// simplified, and for a path with a fault (path_fault.hpp), even if nothing is done with it; invalid_option for joins
-/// that are not points of the path in order. time_limit or cancelled if the deadline passes before; but smoothing only
-/// ends early then (Smoothed::stopped).
+/// simplified, and for a path with a fault (path_fault.hpp), even if nothing is done with it. time_limit or cancelled
+/// if the deadline passes before; but smoothing only ends early then (Smoothed::stopped).
 WEND_API Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
                                           const Refinement& refinement,
                                           const Deadline& deadline = {});

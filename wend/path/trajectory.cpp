@@ -184,21 +184,6 @@ Expected<Trajectory, Error> Trajectory::through(std::span<const TimedPose> poses
   return trajectory;
 }
 
-Trajectory Trajectory::in_a_row(std::span<const Trajectory> trajectories) {
-  Trajectory whole = trajectories.front();
-  for (const Trajectory& next : trajectories.subspan(1)) {
-    for (TrajectoryPiece piece : next.pieces_) {
-      piece.segment += whole.segments_.size();
-      piece.time += whole.duration_;
-      whole.pieces_.push_back(piece);
-    }
-    whole.segments_.insert(whole.segments_.end(), next.segments_.begin(), next.segments_.end());
-    whole.end_ = next.end_;
-    whole.duration_ += next.duration_;
-  }
-  return whole;
-}
-
 /// Drives a segment at a constant speed.
 void Trajectory::drive_for(double seconds, const MapSegment& segment) {
   limits_.speed = std::max(limits_.speed, std::abs(segment.length) / seconds);

@@ -111,10 +111,6 @@ class WEND_API Trajectory {
   /// for poses so far apart that its speed would not be finite. O(poses).
   static Expected<Trajectory, Error> through(std::span<const TimedPose> poses);
 
-  /// Trajectories (one or more), one after the other: each begins where the one before ends, at rest. The limits are
-  /// those of the first. O(segments).
-  static Trajectory in_a_row(std::span<const Trajectory> trajectories);
-
   /// The time from the start to the end, s.
   double duration() const { return duration_; }
 

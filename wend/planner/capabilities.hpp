@@ -22,8 +22,6 @@ struct Capabilities {
       false;  // a search goes on from the last one: it may find another path of equal cost
   /// Planner::anytime() with every option. It may expand a state again.
   bool anytime = false;
-  bool directions =
-      false;  // takes directions of the map (DirectionMap) into account; else it refuses them
 };
 
 /// Does a planner expand only some cells of its paths, on a map where every cell costs the same or not?

@@ -73,12 +73,6 @@ struct Separated {
   std::size_t goal;  // which
 };
 
-/// Every way to this goal leads against an arrow (DirectionMap), though not through an obstacle.
-struct AgainstArrow {
-  std::size_t goal;  // which
-  Cell cell;         // of the arrow, on a way with as few steps against arrows as there can be
-};
-
 /// No motion primitive leaves the start, or reaches a goal.
 struct NoMotion {
   EndIndex end;  // which
@@ -136,9 +130,8 @@ struct OwnText {
 };
 
 /// One thing that is so.
-using FailureCause =
-    std::variant<EndOutside, EndBlocked, RobotTooLarge, Separated, NoMotion, NoDriveFound, OwnLimit,
-                 Stopped, InvalidQuery, OwnText, AgainstArrow>;
+using FailureCause = std::variant<EndOutside, EndBlocked, RobotTooLarge, Separated, NoMotion,
+                                  NoDriveFound, OwnLimit, Stopped, InvalidQuery, OwnText>;
 
 struct Failure {
   Status status = Status::found;     // of the query

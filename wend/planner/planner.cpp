@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "wend/planner/against_arrow.hpp"
 #include "wend/planner/failure_causes.hpp"
 
 namespace wend {
@@ -55,19 +54,8 @@ void Planner::tell_solution(const Plan& plan) {
   on_solution_(plan);
 }
 
-std::unique_ptr<Planner> Planner::clone() const {
-  auto copy = do_clone();
-  if (copy) copy->plans_directions_ = plans_directions_;
-  return copy;
-}
-
 Expected<void, Error> Planner::update(FreeSpace free_space, const SpaceChange& change) {
-  const bool refuses = free_space.directions() != nullptr && !plans_directions_;
   free_space_.emplace(std::move(free_space));
-  if (refuses) {
-    do_release();
-    return Unexpected<Error>(*refused_directions("this planner", *free_space_));
-  }
   if (auto failed = do_update(change)) return Unexpected<Error>(*std::move(failed));
   return {};
 }
@@ -98,7 +86,6 @@ Failure Planner::failure(const Query& query, Status status) const {
   } else {
     failure.causes = do_failure(query, status);
   }
-  tell_arrows(free_space(), failure);
   if (failure.causes.empty() && is_limit(status)) {
     failure.causes = {Stopped{query.limits.expansions, query.limits.seconds}};
   }

@@ -117,7 +117,7 @@ class WEND_API Planner {
   /// this one has prepared (jump points, an index, a lattice), and has its own memory for searches: if
   /// there is none left, its queries end with Status::memory_limit. Do not call it while another thread
   /// uses this planner.
-  std::unique_ptr<Planner> clone() const;
+  std::unique_ptr<Planner> clone() const { return do_clone(); }
 
   /// Replaces the FreeSpace. `change` says what may differ from the last one, for planners that keep what
   /// they have prepared of the rest; answers do not depend on it. Fails with unsupported_map,
@@ -125,10 +125,6 @@ class WEND_API Planner {
   /// an update succeeds.
   Expected<void, Error> update(FreeSpace free_space,
                                const SpaceChange& change = SpaceChange::of_everything());
-
-  /// Its Capabilities::directions, for whoever makes it by a PlannerInfo: update() refuses a space with directions
-  /// unless it is so.
-  void set_plans_directions(bool plans) { plans_directions_ = plans; }
 
   /// Lets go of the FreeSpace, so that FreeSpace::edit() need not copy it. Nothing else than update() may
   /// be called next.
@@ -179,7 +175,6 @@ class WEND_API Planner {
   std::optional<Status> check(const Query& query, Plan& out);
   void watch_solutions(const Query& query);
 
-  bool plans_directions_ = false;
   OnSolution on_solution_;  // of the present query
   double told_cost_ = 0;
   double told_bound_ = 0;

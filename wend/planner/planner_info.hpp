@@ -59,9 +59,6 @@ constexpr std::array<Choice<Preprocessing>, 3> choice_names(Preprocessing) {
 /// For planners that do not support terrain: an error if the space has terrain.
 WEND_API std::optional<Error> refused_terrain(std::string_view planner, const FreeSpace& space);
 
-/// For planners that do not support directions (Capabilities::directions): an error if the space has some.
-WEND_API std::optional<Error> refused_directions(std::string_view planner, const FreeSpace& space);
-
 /// For planners without options: an error if there are options.
 WEND_API std::optional<Error> refused_options(const OptionValues& values);
 

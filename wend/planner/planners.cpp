@@ -44,33 +44,12 @@ std::optional<Error> refusal(const PlannerInfo& planner, const std::vector<Plann
   return Error{Status::invalid_option, std::move(why), planner.name};
 }
 
-/// A function that makes a planner, but not on maps whose directions it would ignore.
-template <class Make>
-auto minding_directions(const PlannerInfo& planner, Make make) {
-  return [make = std::move(make), name = planner.name, plans = planner.capabilities.directions](
-             const FreeSpace& space, const auto&... rest) -> PlannerResult {
-    auto refused = plans ? std::nullopt : refused_directions(name, space);
-    if (refused) return Unexpected<Error>(*std::move(refused));
-    auto made = make(space, rest...);
-    if (made) (*made)->set_plans_directions(plans);
-    return made;
-  };
-}
-
-PlannerInfo minding_directions(PlannerInfo planner) {
-  planner.make = minding_directions(planner, std::move(planner.make));
-  if (planner.make_within) {
-    planner.make_within = minding_directions(planner, std::move(planner.make_within));
-  }
-  return planner;
-}
-
 /// The registries: the first, and one for each time that planners were added. None is destroyed: readers need no lock.
 class PlannerRegistries {
  public:
   PlannerRegistries() {
     publish({
-#define WEND_PLANNER(name) minding_directions(name##_planner()),
+#define WEND_PLANNER(name) name##_planner(),
 #include "wend/planner/planners.def"
     });
   }
@@ -82,7 +61,7 @@ class PlannerRegistries {
     std::vector<PlannerInfo> all(newest().begin(), newest().end());
     for (PlannerInfo& planner : added) {
       if (auto refused = refusal(planner, all)) return Unexpected<Error>(*std::move(refused));
-      all.push_back(minding_directions(std::move(planner)));
+      all.push_back(std::move(planner));
     }
     publish(std::move(all));
     return {};
@@ -196,19 +175,6 @@ std::optional<Error> refused_terrain(std::string_view planner, const FreeSpace& 
   return Error{Status::unsupported_map,
                std::string(planner) +
                    " supports uniform terrain only; this map has terrain or clearance costs"};
-}
-
-std::optional<Error> refused_directions(std::string_view planner, const FreeSpace& space) {
-  if (space.directions() == nullptr) return std::nullopt;
-  std::string others;
-  for (const PlannerInfo& info : planners()) {
-    if (info.capabilities.directions) others += (others.empty() ? "" : ", ") + info.name;
-  }
-  return Error{Status::unsupported_map,
-               std::string(planner) +
-                   " does not plan on a map with directions (one-way zones or slopes); these "
-                   "planners do: " +
-                   others};
 }
 
 std::optional<Error> refused_options(const OptionValues& values) {

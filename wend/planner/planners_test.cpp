@@ -2,13 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-#include <string>
-#include <string_view>
-#include <type_traits>
-
-#include "wend/planner/planner_fields.hpp"
-
 namespace wend {
 namespace {
 
@@ -45,23 +38,6 @@ TEST(PlannerSpec, EmptyAndHalfWordsAreRefused) {
 
 PlannerResult refuse_every_space(const FreeSpace& /*space*/, const OptionValues& /*options*/) {
   return failure(Status::unsupported_map, "it plans nowhere");
-}
-
-/// Front ends write each under its name.
-TEST(PlannerFields, AreTheSameOfEveryPlannerEachWithItsOwnName) {
-  std::set<std::string> first;
-  for (const PlannerInfo& planner : planners()) {
-    std::set<std::string> names;
-    visit_fields(planner, [&](std::string_view name, const auto& value) {
-      EXPECT_TRUE(names.emplace(name).second) << name;
-      EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), name.npos) << name;
-      if constexpr (std::is_convertible_v<decltype(value), std::string_view>) {
-        EXPECT_NE(std::string_view(value), "") << planner.name << ": " << name;
-      }
-    });
-    if (first.empty()) first = names;
-    EXPECT_EQ(names, first) << planner.name;
-  }
 }
 
 // What can be added is for the whole program: tests/threads/added_planners_test.cpp and

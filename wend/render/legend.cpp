@@ -54,14 +54,12 @@ void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   };
   add(scene.start.has_value(), Swatch::start, style.start, "start", 'S');
   add(!scene.goals.empty(), Swatch::goal, style.goal, "goal", 'G');
-  add(!scene.vias.empty(), Swatch::via, style.goal, "via", 'V');
   add(scene.narrowest.has_value(), Swatch::narrowest, style.narrowest, "narrowest", '!');
   add(!scene.nearest_free.empty(), Swatch::nearest_free, style.narrowest, "nearest free cell", 'N');
   add(scene.collision.has_value(), Swatch::collision, style.narrowest, "collision", 'X');
   add_path(scene.path, style, items);
   add_lines(scene, style, items);
   add(has_arrows(scene), Swatch::arrow, style.arrows, "way to move", ' ');
-  add(!scene.arrows && arrows_of(scene.space.map()), Swatch::arrow, style.arrows, "one way", ' ');
 }
 
 /// Are there free cells where the robot cannot stand? Blocked cells in which it can put its base point do not count.

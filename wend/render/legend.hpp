@@ -19,7 +19,6 @@ enum class Swatch : unsigned char {
   heat,
   start,
   goal,
-  via,
   narrowest,
   nearest_free,
   collision,

@@ -5,8 +5,6 @@
 #include <cassert>
 #include <ranges>
 
-#include "wend/map/direction_map.hpp"
-
 namespace wend {
 
 std::string_view describe(CellRole role) {
@@ -19,19 +17,6 @@ std::string_view describe(LineRole role) {
   static constexpr std::array<std::string_view, kLineRoles> kNames{"planned", "smoothed", "driven",
                                                                    "possible path"};
   return kNames[static_cast<std::size_t>(role)];
-}
-
-std::optional<ArrowField> arrows_of(const GridMap& map) {
-  if (map.directions() == nullptr) return std::nullopt;
-  ArrowField field(map.width(), map.height());
-  bool any = false;
-  for (const Cell cell : every_cell(map)) {
-    const auto& arrows = map.directions()->rule(cell).arrows;
-    if (arrows.empty() || map.state(cell) == CellState::occupied) continue;
-    field[cell] = nearest_direction(arrows.front().heading);
-    any = true;
-  }
-  return any ? std::optional(std::move(field)) : std::nullopt;
 }
 
 Scene scene_between(FreeSpace space, Cell start, Cell goal) {

@@ -87,10 +87,6 @@ struct SceneLine {
 /// The direction to move from each cell. As large as the map.
 using ArrowField = Grid<std::optional<Direction>>;
 
-/// The arrows of a map with directions (wend/map/direction_map.hpp), each the nearest of eight; of several in a cell, the
-/// first. Nothing if there are none.
-std::optional<ArrowField> arrows_of(const GridMap& map);
-
 /// A start or a goal, in grid coordinates, some with a heading.
 struct ScenePlace {
   Point point;
@@ -110,7 +106,6 @@ struct Scene {
   std::vector<SceneLine> lines{};  // over the path, later ones over earlier ones
   std::optional<ScenePlace> start{};
   std::vector<ScenePlace> goals{};
-  std::vector<ScenePlace> vias{};  // places on the way, in order: drawn with their numbers, from 1
   std::vector<MarkedCells> marked{};  // later ones over earlier ones
   std::optional<Heatmap> heatmap{};   // under the marked cells
   /// Numbers that pictures write into the cells above those of the heatmap, from the top, where cells are large enough.
@@ -118,7 +113,7 @@ struct Scene {
   /// Of a search over poses: drawn in the heatmap's colours by their order, from 1, and its cells are not. Text pictures
   /// show its cells.
   MotionTree motions{};
-  std::optional<ArrowField> arrows{};  // under path and marks; none: those of the map
+  std::optional<ArrowField> arrows{};  // under path and marks
   std::optional<Point> narrowest{};    // grid coordinates: the narrowest place of a passage
   std::vector<Cell> nearest_free{};    // free cells nearest to a blocked start or goal
   std::optional<Point> collision{};    // grid coordinates: where the robot collides

@@ -78,7 +78,6 @@ std::string no_path_json(const NoPath& why, const Frame& frame) {
             {"start_region", why.start_component},
             {"goal_region", why.goal_component},
             {"widest", why.widest ? json_of(*why.widest, frame) : Json()}};
-  if (why.arrow) json["arrow"] = Json::array({why.arrow->x, why.arrow->y});
   Json& ways = json["ways"] = Json::array();
   for (const Way& way : why.ways) ways.push_back(json_of(way, frame));
   return text_of(json);

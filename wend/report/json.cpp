@@ -1,10 +1,7 @@
 #include "wend/report/json.hpp"
 
 #include <cmath>
-#include <string>
-#include <string_view>
 
-#include "wend/base/option_fields.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/path/gears.hpp"
@@ -140,14 +137,16 @@ Json json_of(const WorkTimes& times) {
 }
 
 Json json_of(const OptionInfo& option) {
-  const bool ranged = option.kind == OptionKind::integer || option.kind == OptionKind::number;
-  Json json;
-  visit_fields(option, [&](std::string_view name, const auto& value) {
-    const bool told = name == "choices"                       ? option.kind == OptionKind::choice
-                      : name == "least" || name == "greatest" ? ranged
-                                                              : true;
-    if (told) json[std::string(name)] = value;
-  });
+  Json json{{"name", option.name}};
+  json["aliases"] = option.aliases;
+  json["kind"] = to_string(option.kind);
+  json["default"] = option.default_value;
+  if (option.kind == OptionKind::choice) json["choices"] = option.choices;
+  if (option.kind == OptionKind::integer || option.kind == OptionKind::number) {
+    json["least"] = option.least;
+    json["greatest"] = option.greatest;
+  }
+  json["help"] = option.help;
   return json;
 }
 

@@ -52,7 +52,7 @@ Json json_of(const Grid<double>& numbers);
 /// The same for directions, by name; null for a cell without one.
 Json json_of(const Grid<std::optional<Direction>>& directions, const Frame& frame);
 
-/// The facts of visit_fields(), but "choices" only of a choice, "least" and "greatest" only of a number.
+/// {"name", "aliases", "kind", "default", "choices" or "least" and "greatest", "help"}
 Json json_of(const OptionInfo& option);
 
 /// "start_shift" and "goal_shift", {"cells", "m", "degrees"} from what was asked; null without a path.

@@ -127,12 +127,11 @@ std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit&
 }
 
 std::string_view to_string(CollisionKind kind) {
-  constexpr std::array<Choice<CollisionKind>, 6> kNames{{{"outside", CollisionKind::outside},
+  constexpr std::array<Choice<CollisionKind>, 5> kNames{{{"outside", CollisionKind::outside},
                                                          {"obstacle", CollisionKind::obstacle},
                                                          {"too_close", CollisionKind::too_close},
                                                          {"squeezed", CollisionKind::squeezed},
-                                                         {"overlaps", CollisionKind::overlaps},
-                                                         {"against", CollisionKind::against}}};
+                                                         {"overlaps", CollisionKind::overlaps}}};
   return choice_name(kind, kNames);
 }
 

@@ -24,25 +24,6 @@ Json json_of(const std::vector<TimedSolution>& solutions) {
   return list;
 }
 
-Json json_of(const std::vector<PlanLeg>& legs) {
-  Json list = Json::array();
-  for (const PlanLeg& leg : legs) {
-    const bool found = leg.status == Status::found;
-    const auto known = [&](auto value) { return found ? Json(value) : Json(); };
-    list.push_back({{"from", leg.from},
-                    {"to", leg.to},
-                    {"status", to_string(leg.status)},
-                    {"cost", known(leg.cost)},
-                    {"bound", known(leg.bound)},
-                    {"length_m", known(leg.length)},
-                    {"shift_m", known(leg.goal_shift)},
-                    {"expansions", leg.metrics.expanded},
-                    {"first", known(leg.first)},
-                    {"last", known(leg.last)}});
-  }
-  return list;
-}
-
 }  // namespace
 
 std::string plan_json(const PlanResult& result, const Frame& frame, std::span<const Layer> layers) {
@@ -55,8 +36,6 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   if (result.status == Status::found) {
     put_eased(json, result.lead_out, result.remaining, frame);
   }
-  if (!result.legs.empty()) json["legs"] = json_of(result.legs);
-  if (result.refined && !result.legs.empty()) json["joins"] = result.refined->refined.joins;
   const bool found = !result.plan.path.empty();
   put_shifts(json, result.plan, frame);
   if (result.capabilities.headings) {

@@ -51,11 +51,6 @@
 // `cost` is that of the path behind it. If --closest was asked for, or goals were moved because no path reaches them:
 // "remaining": {"cells": 3, "m": 0.15}, the distance from the path's end to the nearest goal, 0 where it was reached.
 //
-// A path through vias: "legs": [{"from": "start", "to": "via 1", "status": "found", "cost": 1.41, "bound": 1,
-// "length_m": 0.07, "shift_m": 0, "expansions": 2, "first": 0, "last": 1}, ...]. `first` and `last` are the points of the
-// path (of `path_m`, without refinement) where a leg begins and ends. "joins": [1, ...] says the same of `path_smoothed`.
-// Where there is no path: the legs that were found, and the one that failed, whose `cost` and the like are null.
-//
 // Layers, if given, follow as "layers": {"g": [[0,1,...],...]}, a list for every row, row 0 first:
 // numbers, or names of directions on a page ("up_left"); null for unset cells.
 
@@ -85,7 +80,6 @@
 #include "wend/report/path_report.hpp"
 #include "wend/report/trajectory_report.hpp"
 #include "wend/robot/footprint.hpp"
-#include "wend/session/plan_request.hpp"
 
 namespace wend {
 
@@ -130,7 +124,6 @@ struct PlanResult {
   PlaceGrid places = {};              // of the planner; a car turns in their spacing
   Footprint footprint{};
   std::vector<std::string> notes{};  // sentences, as PlanAnswer::notes
-  std::vector<PlanLeg> legs{};       // as in PlanAnswer
   std::string planned_as_disc{};     // Explainer::planned_as_disc()
 };
 

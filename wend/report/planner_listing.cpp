@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
-#include <vector>
 
 #include "wend/base/parse.hpp"
 #include "wend/io/text.hpp"
-#include "wend/planner/planner_fields.hpp"
+#include "wend/planner/planners.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend {
@@ -61,23 +59,6 @@ std::string planner_text(const PlannerInfo& planner) {
   return text;
 }
 
-/// The key of a fact. Three are called as in the first reports.
-std::string_view key_of(std::string_view name) {
-  if (name == "guarantee_text") return "guarantee";
-  if (name == "guarantee") return "promise";
-  return name == "terrain" ? "plans_on_terrain" : name;
-}
-
-template <class Value>
-Json json_of_fact(const Value& value) {
-  return value;
-}
-Json json_of_fact(const std::vector<OptionInfo>& options) {
-  Json list = Json::array();
-  for (const OptionInfo& option : options) list.push_back(json_of(option));
-  return list;
-}
-
 }  // namespace
 
 std::string range_text(const OptionInfo& option) {
@@ -111,10 +92,22 @@ std::string planner_listing_json(const Registry<PlannerInfo>& planners) {
   Json json;
   Json& listing = json["planners"] = Json::array();
   for (const PlannerInfo& planner : planners) {
-    Json& entry = listing.emplace_back();
-    visit_fields(planner, [&entry](std::string_view name, const auto& value) {
-      entry[std::string(key_of(name))] = json_of_fact(value);
-    });
+    Json options = Json::array();
+    for (const OptionInfo& option : planner.options) options.push_back(json_of(option));
+    listing.push_back({{"name", planner.name},
+                       {"summary", planner.summary},
+                       {"idea", planner.idea},
+                       {"guarantee", planner.guarantee_text},
+                       {"promise", choice_name(planner.guarantee)},
+                       {"time", planner.time},
+                       {"memory", planner.memory},
+                       {"when", planner.when},
+                       {"motion", planner.motion},
+                       {"plans_on_terrain", planner.capabilities.terrain},
+                       {"preprocessing", choice_name(planner.preprocessing)},
+                       {"can_step", planner.capabilities.can_step},
+                       {"citation", planner.citation},
+                       {"options", options}});
   }
   return text_of(json);
 }

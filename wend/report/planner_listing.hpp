@@ -18,9 +18,9 @@ std::string planner_table(const Registry<PlannerInfo>& planners);
 /// defaults, and its paper. Paragraphs have at most 90 columns.
 std::string planner_listing_text(const Registry<PlannerInfo>& planners);
 
-/// {"planners": [...]}, an object for each with the facts of visit_fields() (planner/planner_fields.hpp) under their
-/// names, but for "promise" (guarantee), "guarantee" (guarantee_text) and "plans_on_terrain" (terrain). One line with its
-/// line end.
+/// A list of {"name", "summary", "idea", "guarantee", "promise", "time", "memory", "when",
+/// "motion", "plans_on_terrain", "preprocessing", "can_step", "citation", "options"}. One line with its line
+/// end.
 std::string planner_listing_json(const Registry<PlannerInfo>& planners);
 
 /// The range of an option: "0 to 1e+06", "4 or 8", "true or false".

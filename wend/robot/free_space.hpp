@@ -218,10 +218,6 @@ class WEND_API FreeSpace {
   /// The multipliers of all cells as integers.
   const CostMap& costs() const { return data_->costs; }
 
-  /// What moves cost by their direction, besides; null if all directions cost the same. Planners that do not know
-  /// directions (Capabilities::directions) refuse such a space.
-  const DirectionMap* directions() const { return map().directions(); }
-
   /// The connected components of the passable cells. Made when they are first asked for, in O(cells / 64
   /// + runs), once for all threads.
   const ConnectedComponents& components() const {

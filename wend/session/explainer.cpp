@@ -34,7 +34,6 @@ Limits limits_of_a_trial(const Deadline& deadline) {
 EndIndex goal_of(const FailureCause& cause) {
   if (const auto* const separated = std::get_if<Separated>(&cause)) return separated->goal;
   if (const auto* const blocked = std::get_if<EndBlocked>(&cause)) return blocked->end;
-  if (const auto* const arrow = std::get_if<AgainstArrow>(&cause)) return arrow->goal;
   return std::nullopt;
 }
 
@@ -301,10 +300,6 @@ std::string Explainer::unreachable(const Place& start, const Place& goal) const 
   std::string text = "there is no path from start " + start.text + " to goal " + goal.text;
   if (!known) return text + "; the limit on time left none to find out why";
   const NoPath& why = *known;
-  if (why.arrow) {
-    return text + " along the arrows: it is reachable against the arrow at " +
-           units_.text(*why.arrow);
-  }
   text += ": the start's connected component has " + units_.area(why.start_component) +
           ", the goal's has " + units_.area(why.goal_component) + ". ";
   if (why.ways.empty()) return text + "Obstacles separate the two, even for a robot with radius 0";

@@ -110,10 +110,6 @@ std::string FailureText::of(const FailureCause& cause, const Failure& failure, c
           return "there is no path from start " + ends.start.text + " to goal " +
                  ends.goals[what.goal].text +
                  (failure.headings ? ": no sequence of motion primitives leads there" : "");
-        } else if constexpr (std::is_same_v<Cause, AgainstArrow>) {
-          return "there is no path from start " + ends.start.text + " to goal " +
-                 ends.goals[what.goal].text + " along the arrows: it is reachable against the " +
-                 "arrow at " + units_.text(what.cell);
         } else if constexpr (std::is_same_v<Cause, NoMotion>) {
           return "no motion primitive " + std::string(what.end ? "reaches " : "leaves ") +
                  named(ends.at(what.end));

@@ -6,12 +6,9 @@
 //   wend::PlanRequest request{{1, 1, 0}, {{{15, 9}}}};
 //   request.planner.name = "jps";
 //   request.refinement.smoother = wend::SmootherChoice{"gradient"};
-//   request.vias = {{.point = {6, 2}}, {.point = {9, 8}}};  // on the way to the goal
 
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -19,7 +16,6 @@
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/limits.hpp"
-#include "wend/base/status.hpp"
 #include "wend/geometry/map_pose.hpp"
 #include "wend/path/lead_out.hpp"
 #include "wend/path/path_metrics.hpp"
@@ -59,7 +55,6 @@ constexpr std::array<Choice<MapUnits>, 2> choice_names(MapUnits) {
 struct EndTexts {
   std::string start = {};               // "(1.5,2,45deg) m"
   std::vector<std::string> goals = {};  // empty, or one for each goal
-  std::vector<std::string> vias = {};   // the same of the vias
 };
 
 struct PlanRequest {
@@ -92,32 +87,9 @@ struct PlanRequest {
   MapUnits coordinates = MapUnits::metres;
   MapUnits wording = MapUnits::metres;  // of messages; where a map has no resolution, cells
   EndTexts texts = {};                  // what messages call the ends
-  /// Places to pass on the way, in this order: see Session::plan(). A leg goes from each place to the next. The
-  /// tolerances of a via are its own.
-  std::vector<MapGoal> vias = {};
-  /// The last leg leads back to where the path begins; then there are no goals.
-  bool closed = false;
-  /// Does the trajectory stop at each via? Else it only stops where it has to turn in place.
-  bool stops_at_vias = false;
 
-  /// Has it more than one leg?
-  bool has_legs() const { return closed || !vias.empty(); }
   /// What it may do where the robot cannot be.
   Leeway leeway() const { return {escape, nearest, nearest_limit, closest}; }
-};
-
-/// A leg of a plan through vias: from one place to the next.
-struct PlanLeg {
-  std::string from = {};          // "start", "via 1"
-  std::string to = {};            // "via 1", "goal"; of a closed path, at last, "start"
-  Status status = Status::found;  // of its search
-  double cost = 0;                // as Plan::cost, and so is the bound
-  double bound = Plan::kNoBound;  // of this leg from where it begins
-  double length = 0;              // metres, of the path as the planner found it
-  double goal_shift = 0;  // metres: how far from its place it ends, see PlanAnswer::goal_shift()
-  SearchMetrics metrics = {};  // of its search
-  std::size_t first = 0;       // where it begins in the path of the plan
-  std::size_t last = 0;        // where it ends there; the next leg begins at this point
 };
 
 /// A path, what was done with it, and the space that it was planned on.
@@ -140,11 +112,6 @@ struct PlanAnswer {
   /// Metres from the path's end to the nearest goal; 0 if it was reached. Set if the request says closest, or the goals
   /// were moved because no path reaches them.
   std::optional<double> remaining = {};
-  /// Of a request that has_legs(). Cost, work and notes are then of all legs together.
-  std::vector<PlanLeg> legs = {};
-
-  /// Where the legs meet: indices of points of path(), one fewer than legs. Empty without legs.
-  WEND_API std::vector<std::size_t> joins() const;
 
   /// How far the path begins from the start that was asked for, in metres: 0 wherever the robot can go from there to the
   /// middle of its cell, for planners on cells; those on lattices begin at a vertex.
@@ -165,20 +132,13 @@ struct PlanAnswer {
 /// Why there is no answer, in a sentence that says where and what would help.
 struct RequestFailure : PlanFailure {
   double search_seconds = 0;  // by SessionOptions::clock
-  /// Of a request that has_legs(): those that were found, and the one that failed.
-  std::vector<PlanLeg> legs = {};
 };
 
-/// Goals or vias in the grid coordinates of a map.
-WEND_API std::vector<Goal> goals_in_grid(std::span<const MapGoal> goals, MapUnits units,
-                                         const Frame& frame);
-
-/// The query of a request in the grid coordinates of a map, without its vias.
+/// The query of a request in the grid coordinates of a map.
 WEND_API Query query_of(const PlanRequest& request, const Frame& frame);
 
-/// Refines the path of an answer, leg by leg, as the request says, puts the lead before it, if there is one, and times
-/// it. If that fails, or there is no time for it before the deadline, the answer's fault says why. The lead is never
-/// refined.
+/// Refines the path of an answer, as the request says, puts the lead before it, if there is one, and times it. If that
+/// fails, or there is no time for it before the deadline, the answer's fault says why. The lead is never refined.
 WEND_API void finish_path(PlanAnswer& answer, const PlanRequest& request, const Path& lead = {},
                           const Deadline& deadline = {});
 
@@ -187,13 +147,6 @@ WEND_API void finish_path(PlanAnswer& answer, const PlanRequest& request, const 
 WEND_API Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
                                                 Adjacency adjacency, const TrajectoryLimits& limits,
                                                 double corner_rounding = kCornerRounding,
-                                                const Deadline& deadline = {});
-
-/// The same with a stop at each of these points of the path, in order (PlanAnswer::joins()), where corners stay.
-WEND_API Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
-                                                Adjacency adjacency, const TrajectoryLimits& limits,
-                                                double corner_rounding,
-                                                std::span<const std::size_t> stops,
                                                 const Deadline& deadline = {});
 
 }  // namespace wend

@@ -14,7 +14,7 @@ bool may_be_replaced(const PlannerInfo& info, const FreeSpace& space) {
   if (can.resumes || can.headings || can.any_angle || can.anytime || info.index_support) {
     return false;
   }
-  return space.directions() == nullptr && (can.terrain || space.uniform_terrain());
+  return can.terrain || space.uniform_terrain();
 }
 
 /// The moves of a planner whose answers are optimal with these options; nothing if they are not, or the options are

@@ -31,7 +31,6 @@ struct RunParts {
   Clock clock;                       // null: the steady clock
   std::shared_ptr<KeptField> field;  // never null
   std::shared_ptr<KeptPlan> kept;    // of a robot that replans; null: it does not
-  std::uint64_t expansions;  // the most of this run; those of the request are what messages name
 };
 
 }  // namespace wend

@@ -39,10 +39,6 @@ std::optional<Error> fault_of(const PlanRequest& request, bool steps) {
   if (!(request.keep >= 0)) {
     return Error{Status::invalid_option, "keep must be at least 0", "keep"};
   }
-  if (request.has_legs()) {
-    return Error{Status::unsupported_query,
-                 "only plan() and plan_all() take vias: a search has one leg", "vias"};
-  }
   if (request.goals.empty()) {
     return Error{Status::unsupported_query, "there is no goal", "goals"};
   }
@@ -158,7 +154,6 @@ auto SearchRun::State::timed(Work work) {
 void SearchRun::State::limit() {
   eased.query().limits = request().limits;
   eased.query().limits.seconds = parts.deadline.seconds_left();
-  eased.query().limits.expansions = parts.expansions;
 }
 
 Status SearchRun::State::whole(bool watched) {

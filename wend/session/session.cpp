@@ -7,7 +7,6 @@
 #include "wend/planner/index_support.hpp"
 #include "wend/session/kept_field.hpp"
 #include "wend/session/kept_plan.hpp"
-#include "wend/session/legs.hpp"
 #include "wend/session/nearest_ends.hpp"
 #include "wend/session/resuming.hpp"
 #include "wend/session/run_parts.hpp"
@@ -49,17 +48,8 @@ struct Session::State {
   /// What a run of a request gets, on this planner.
   RunParts run_parts(const View& view, WarmPlanner planner, PlannerSpec spec,
                      const PlanRequest& request, Deadline deadline) const {
-    return {view.space,
-            view.version,
-            std::move(planner),
-            std::move(spec),
-            request,
-            std::move(deadline),
-            options.hints,
-            options.clock,
-            field,
-            nullptr,
-            request.limits.expansions};
+    return {view.space,          view.version,  std::move(planner), std::move(spec), request,
+            std::move(deadline), options.hints, options.clock,      field,           nullptr};
   }
   /// The same on a warm planner.
   Expected<RunParts, RequestFailure> run_parts(const View& view, PlannerSpec spec,
@@ -67,14 +57,7 @@ struct Session::State {
                                                const Deadline& deadline);
   /// Answers a request with a planner that stays the caller's.
   Expected<PlanAnswer, RequestFailure> answer(const View& view, WarmPlanner& planner,
-                                              const PlannerSpec& spec, const PlanRequest& request,
-                                              const Deadline& deadline);
-  /// The same without vias, with at most so many expansions.
-  Expected<PlanAnswer, RequestFailure> answer_leg(const View& view, WarmPlanner& planner,
-                                                  const PlannerSpec& spec,
-                                                  const PlanRequest& request,
-                                                  const Deadline& deadline,
-                                                  std::uint64_t expansions);
+                                              const PlannerSpec& spec, const PlanRequest& request);
 
   /// Makes the free space if map or robot have changed. Who needs the same one waits; nobody else does.
   Expected<View, Error> view(const Deadline& deadline = {});
@@ -222,11 +205,10 @@ Expected<RunParts, RequestFailure> Session::State::run_parts(const View& view, P
   return run_parts(view, *std::move(planner), std::move(spec), request, deadline);
 }
 
-Expected<PlanAnswer, RequestFailure> Session::State::answer_leg(
-    const View& view, WarmPlanner& planner, const PlannerSpec& spec, const PlanRequest& request,
-    const Deadline& deadline, std::uint64_t expansions) {
-  RunParts parts = run_parts(view, std::move(planner), spec, request, deadline);
-  parts.expansions = expansions;
+Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, WarmPlanner& planner,
+                                                            const PlannerSpec& spec,
+                                                            const PlanRequest& request) {
+  RunParts parts = run_parts(view, std::move(planner), spec, request, Deadline(request.limits));
   auto run = SearchRun::begin(parts);
   if (!run) {
     planner = std::move(parts.planner);
@@ -235,21 +217,6 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer_leg(
   auto answer = run->finish();
   planner = run->take_planner();
   return answer;
-}
-
-Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, WarmPlanner& planner,
-                                                            const PlannerSpec& spec,
-                                                            const PlanRequest& request,
-                                                            const Deadline& deadline) {
-  if (!request.has_legs()) {
-    return answer_leg(view, planner, spec, request, deadline, request.limits.expansions);
-  }
-  if (auto fault = fault_of_legs(request)) return no_plan(*std::move(fault));
-  const auto plan = [&](const PlanRequest& leg, const Deadline& soon, std::uint64_t expansions) {
-    return answer_leg(view, planner, spec, leg, soon, expansions);
-  };
-  const LegPlanner legs{plan, !planner->grid_moves().has_value(), planner->anytime()};
-  return plan_legs(request, view.space.map().frame(), legs, deadline);
 }
 
 Expected<SearchRun, RequestFailure> Session::begin(const PlanRequest& request) {
@@ -271,26 +238,13 @@ Expected<SearchRun, RequestFailure> Session::begin(const View& view, const PlanR
 }
 
 Expected<PlanAnswer, RequestFailure> Session::plan(const PlanRequest& request) {
-  const Deadline deadline(request.limits);
-  auto seen = view(deadline);
-  if (!seen) return no_plan(std::move(seen.error()));
-  return plan(*seen, request, deadline);
+  auto run = begin(request);
+  if (!run) return Unexpected<RequestFailure>(std::move(run.error()));
+  return run->finish();
 }
 
 Expected<PlanAnswer, RequestFailure> Session::plan(const View& view, const PlanRequest& request) {
-  return plan(view, request, Deadline(request.limits));
-}
-
-Expected<PlanAnswer, RequestFailure> Session::plan(const View& view, const PlanRequest& request,
-                                                   const Deadline& deadline) {
-  if (request.has_legs()) {
-    PlannerSpec spec = request.planner;
-    if (request.observer != nullptr) spec = without_leaps(std::move(spec));
-    auto planner = state_->planners.take(view.space, view.version, spec, deadline);
-    if (!planner) return no_plan(std::move(planner.error()));
-    return state_->answer(view, *planner, spec, request, deadline);
-  }
-  auto run = begin(view, request, deadline);
+  auto run = begin(view, request);
   if (!run) return Unexpected<RequestFailure>(std::move(run.error()));
   return run->finish();
 }
@@ -345,8 +299,7 @@ Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan
   using Answer = Expected<PlanAnswer, RequestFailure>;
   std::vector<Answer> answers(requests.size(), no_plan(Error{Status::cancelled, "not planned"}));
   workers.run(requests.size(), [&](std::size_t i, unsigned worker) {
-    answers[i] = state_->answer(*seen, (*planners)[worker], planner, requests[i],
-                                Deadline(requests[i].limits));
+    answers[i] = state_->answer(*seen, (*planners)[worker], planner, requests[i]);
   });
   return answers;
 }

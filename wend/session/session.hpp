@@ -94,25 +94,13 @@ class WEND_API Session {
   /// view, of making the planner, or of the query. The limit on time and the cancel flag of the request are of the
   /// whole call: they also end the making of the free space and of a planner, an explanation, and the refinement of the
   /// path. To have space and planner ready, call view() and planner() without a limit before.
-  ///
-  /// Through vias, a leg after the other is planned, from where, and with the heading in which, the one before ended: a
-  /// leg is as good as the planner's guarantee says, given that. So is the sum, if no leg could have ended otherwise
-  /// (vias without a tolerance, and with a heading for planners that have headings); else it has no bound. `nearest`
-  /// moves vias too, `escape` is for the start, `closest` for the goal. An anytime planner gets an equal share of the
-  /// limits for each leg. An observer sees the searches one after the other. The message of a failure names the leg.
-  ///
-  ///   request.vias = {{.point = {3, 2}}, {.point = {8, 2}, .heading = 0.0}};
-  ///   if (const auto answer = session.plan(request)) visit(answer->legs);
   Expected<PlanAnswer, RequestFailure> plan(const PlanRequest& request);
   /// The same on a view of this session.
   Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
-  /// The same with a limit on time that the caller counts: for what was done before belongs to the same call.
-  Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request,
-                                            const Deadline& deadline);
 
   /// Begins the search of plan(), for who wants to step it, to see its open list, or to have the paths of an anytime
   /// planner one by one. Fails where there is nothing to search: as view() and making the planner do, or because the
-  /// request is invalid: it must have no vias.
+  /// request is invalid.
   Expected<SearchRun, RequestFailure> begin(const PlanRequest& request);
   /// The same on a view of this session.
   Expected<SearchRun, RequestFailure> begin(const View& view, const PlanRequest& request);

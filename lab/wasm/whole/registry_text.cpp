@@ -1,15 +1,10 @@
 #include "lab/wasm/whole/registry_text.hpp"
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "lab/wasm/json.hpp"
-#include "wend/base/registry.hpp"
-#include "wend/control/controller_fields.hpp"
+#include "wend/control/controller.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/path/smoothing/smoother_fields.hpp"
-#include "wend/planner/planner_fields.hpp"
+#include "wend/path/smoothing/smoother.hpp"
+#include "wend/planner/planners.hpp"
 #include "wend/robot/robot_fields.hpp"
 #include "wend/session/request_fields.hpp"
 #include "wend/version.hpp"
@@ -17,46 +12,18 @@
 namespace wend::lab {
 namespace {
 
-/// "guarantee_text" as scripts write it: "guaranteeText".
-std::string script_name(std::string_view name) {
-  std::string text;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const bool begins_word = i > 0 && name[i - 1] == '_';
-    if (name[i] != '_') text += begins_word ? static_cast<char>(name[i] - 'a' + 'A') : name[i];
-  }
-  return text;
-}
-
-void write(Json& json, const OptionInfo& option, std::string_view unit = {});
-
-void write(Json& json, const std::vector<OptionInfo>& options) {
-  json.array();
-  for (const OptionInfo& option : options) write(json, option);
-  json.end_array();
-}
-
-void write(Json& json, const std::vector<std::string>& texts) {
-  json.array();
-  for (const std::string& text : texts) json.value(text);
-  json.end_array();
-}
-
-template <class Value>
-void write(Json& json, const Value& value) {
-  json.value(value);
-}
-
-/// The facts of a planner, a smoother, a controller or an option.
-template <class Info>
-void write_facts(Json& json, const Info& info) {
-  visit_fields(info, [&json](std::string_view name, const auto& value) {
-    write(json.key(script_name(name)), value);
-  });
-}
-
-void write(Json& json, const OptionInfo& option, std::string_view unit) {
-  write_facts(json.object(), option);
-  json.field("unit", unit).end_object();
+void write(Json& json, const OptionInfo& option, std::string_view unit = {}) {
+  json.object()
+      .field("name", option.name)
+      .field("kind", to_string(option.kind))
+      .field("default", option.default_value)
+      .field("help", option.help)
+      .field("unit", unit)
+      .field("least", option.least)
+      .field("greatest", option.greatest);
+  json.key("choices").array();
+  for (const std::string& choice : option.choices) json.value(choice);
+  json.end_array().end_object();
 }
 
 /// A list of fields: options with a unit.
@@ -65,6 +32,31 @@ void write(Json& json, std::string_view name, std::span<const Field<Target>> fie
   json.key(name).array();
   for (const Field<Target>& field : fields) write(json, field.info.option(), field.info.unit);
   json.end_array();
+}
+
+void write(Json& json, const std::vector<OptionInfo>& options) {
+  json.key("options").array();
+  for (const OptionInfo& option : options) write(json, option);
+  json.end_array();
+}
+
+void write(Json& json, const PlannerInfo& planner) {
+  json.object()
+      .field("name", planner.name)
+      .field("summary", planner.summary)
+      .field("idea", planner.idea)
+      .field("citation", planner.citation)
+      .field("guarantee", choice_name(planner.guarantee))
+      .field("guaranteeText", planner.guarantee_text)
+      .field("when", planner.when)
+      .field("terrain", terrain_in_words(planner))
+      .field("headings", planner.capabilities.headings)
+      .field("canStep", planner.capabilities.can_step)
+      .field("resumes", planner.capabilities.resumes)
+      .field("onVertices", planner.capabilities.vertices != Vertices::centres)
+      .field("needsIndex", planner.index_support != nullptr);
+  write(json, planner.options);
+  json.end_object();
 }
 
 void write(Json& json, const GeneratorInfo& generator) {
@@ -76,19 +68,28 @@ void write(Json& json, const GeneratorInfo& generator) {
       .field("defaultWidth", generator.default_width)
       .field("defaultHeight", generator.default_height)
       .field("freeCorner", generator.free_corner);
-  write(json.key("options"), generator.options);
+  write(json, generator.options);
   json.end_object();
 }
 
-/// A list of planners, smoothers or controllers.
-template <class Info>
-void write(Json& json, std::string_view name, const Registry<Info>& registry) {
-  json.key(name).array();
-  for (const Info& info : registry) {
-    write_facts(json.object(), info);
-    json.end_object();
-  }
-  json.end_array();
+void write(Json& json, const SmootherInfo& smoother) {
+  json.object()
+      .field("name", smoother.name)
+      .field("summary", smoother.summary)
+      .field("citation", smoother.citation)
+      .field("drives", smoother.drives);
+  write(json, smoother.options);
+  json.end_object();
+}
+
+void write(Json& json, const ControllerInfo& controller) {
+  json.object()
+      .field("name", controller.name)
+      .field("summary", controller.summary)
+      .field("citation", controller.citation)
+      .field("turnsInPlace", controller.turns_in_place);
+  write(json, controller.options);
+  json.end_object();
 }
 
 }  // namespace
@@ -96,12 +97,15 @@ void write(Json& json, std::string_view name, const Registry<Info>& registry) {
 std::string registry_text() {
   Json json;
   json.object().field("version", std::string_view(WEND_VERSION));
-  write(json, "planners", planners());
-  json.key("generators").array();
+  json.key("planners").array();
+  for (const PlannerInfo& planner : planners()) write(json, planner);
+  json.end_array().key("generators").array();
   for (const GeneratorInfo& generator : generators()) write(json, generator);
+  json.end_array().key("smoothers").array();
+  for (const SmootherInfo& smoother : smoothers()) write(json, smoother);
+  json.end_array().key("controllers").array();
+  for (const ControllerInfo& controller : controllers()) write(json, controller);
   json.end_array();
-  write(json, "smoothers", smoothers());
-  write(json, "controllers", controllers());
   write(json, "robotFields", robot_fields());
   write(json, "requestFields", request_fields());
   json.end_object();

@@ -126,98 +126,14 @@ TEST(MaskSpecs, NameAKindItsOptionsAndAFile) {
 }
 
 TEST(MaskSpecs, SayWhatIsWrong) {
-  const std::string no_file =
-      "a mask needs a file: keepout:FILE, speed:FILE, oneway:FILE or height:FILE";
-  for (const char* text : {"", "keepout:", "speed:", "speed:base=3:", "oneway:", "oneway:factor=2",
-                           "height:climb=2:"}) {
+  const std::string no_file = "a mask needs a file: keepout:FILE or speed:FILE";
+  for (const char* text : {"", "keepout:", "speed:", "speed:base=3:"}) {
     EXPECT_EQ(spec_text(text), no_file) << text;
   }
   EXPECT_EQ(spec_text("speed:base=x:a.yaml"),
             "base of a speed mask is 'x': a finite number expected");
   EXPECT_EQ(spec_text("speed:top_speed=inf:a.yaml"),
             "top_speed of a speed mask is 'inf': a finite number expected");
-}
-
-TEST(MaskSpecs, OfDirectionsHaveOptionsOnBothSidesOfTheFile) {
-  const auto oneway = parse_mask_spec("oneway:tolerance=45:a.png:factor=3");
-  ASSERT_TRUE(oneway) << oneway.error().message;
-  EXPECT_EQ(oneway->reading.kind, MaskKind::oneway);
-  EXPECT_EQ(oneway->file, "a.png");
-  EXPECT_DOUBLE_EQ(oneway->reading.arrow.tolerance, kPi / 4);
-  EXPECT_EQ(oneway->reading.arrow.factor, 3);
-  const auto height = parse_mask_spec("height:hills.png:climb=20:step=0.5");
-  ASSERT_TRUE(height) << height.error().message;
-  EXPECT_EQ(height->reading.slope.climb, 20);
-  EXPECT_EQ(height->reading.slope.descend, 0);
-  EXPECT_EQ(height->reading.height_step, 0.5);
-}
-
-TEST(MaskSpecs, OfDirectionsSayWhatIsWrong) {
-  EXPECT_EQ(spec_text("oneway:tolerance=181:a.png"),
-            "tolerance of a one-way mask is 181: 0 to 180 degrees expected");
-  EXPECT_EQ(spec_text("oneway:a.png:tolerance=nan"),
-            "tolerance of a one-way mask is 'nan': a finite number expected");
-  EXPECT_EQ(spec_text("oneway:factor=0.5:a.png"),
-            "factor of a one-way mask is 0.5: a number from 1 to 10000 expected; without it, moves "
-            "against an arrow are not allowed");
-  EXPECT_EQ(spec_text("height:a.png"),
-            "a height mask needs a cost: climb=N or descend=N, the units of way that a unit of "
-            "height costs");
-  EXPECT_EQ(spec_text("height:a.png:climb=-1"),
-            "climb of a height mask is -1: a number from 0 to 10000 expected");
-  EXPECT_EQ(spec_text("height:a.png:climb=1:step=0"),
-            "step of a height mask is 0: a number from 1e-06 to 10000 expected");
-}
-
-constexpr MaskReading kOneWayMask{.kind = MaskKind::oneway};
-
-TEST_F(LoadMask, GreysOfAOneWayMaskAreHeadingsOnThePage) {
-  const auto mask =
-      load_mask(folder_.write("a.pgm", "P2 6 1 255 0 1 61 121 240 255\n"), kOneWayMask);
-  ASSERT_TRUE(mask) << mask.error().message;
-  const DirectionMap& directions = *mask->map.directions();
-  EXPECT_TRUE(directions.none_at({0, 0}));
-  EXPECT_TRUE(directions.none_at({5, 0}));
-  const auto heading = [&](int x) { return directions.rule({x, 0}).arrows.at(0).heading; };
-  EXPECT_EQ(heading(1), 0);
-  EXPECT_NEAR(heading(2), -kPi / 2, 1e-12) << "up on the page, where y points down";
-  EXPECT_NEAR(std::abs(heading(3)), kPi, 1e-12);
-  EXPECT_EQ(mask->map.occupied().count(), 0U);
-}
-
-TEST_F(LoadMask, HeadingsOfAMapYamlTurnWithItsOrigin) {
-  folder_.write("m.pgm", "P2 1 2 255 61 0\n");
-  const std::string yaml =
-      folder_.write("m.yaml",
-                    "image: m.pgm\nresolution: 0.05\norigin: [0, 0, 0.5]\nnegate: 0\n"
-                    "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
-  const auto mask = load_mask(yaml, kOneWayMask);
-  ASSERT_TRUE(mask) << mask.error().message;
-  const DirectionMap& directions = *mask->map.directions();
-  EXPECT_TRUE(directions.none_at({0, 0}));
-  EXPECT_NEAR(directions.rule({0, 1}).arrows.at(0).heading, kPi / 2, 1e-12) << "in the grid";
-}
-
-TEST_F(LoadMask, GreysOfAHeightMaskAreHeights) {
-  const std::string file = folder_.write("h.pgm", "P2 3 1 255 0 10 20\n");
-  const auto mask = load_mask(file, {.kind = MaskKind::height, .slope = {.climb = 2}});
-  ASSERT_TRUE(mask) << mask.error().message;
-  EXPECT_NEAR(mask->map.directions()->rule({1, 0}).slopes.at(0).rise_x, 1, 1e-12);
-  const auto flat = load_mask(folder_.write("f.pgm", "P2 2 1 255 7 7\n"),
-                              {.kind = MaskKind::height, .slope = {.climb = 2}});
-  ASSERT_TRUE(flat);
-  EXPECT_THAT(flat->notes, ElementsAre("the height mask is flat: it changes nothing"));
-}
-
-TEST_F(LoadMask, RefusesFilesWithoutHeadings) {
-  const std::string text = folder_.write("m.txt", "..#\n");
-  EXPECT_THAT(complaint(text, kOneWayMask), HasSubstr("a mask of directions is an image"));
-  const std::string colours = folder_.write("m.ppm", "P3 1 1 255 255 0 0\n");
-  EXPECT_THAT(complaint(colours, kOneWayMask), HasSubstr("a one-way mask is a PNG"));
-  EXPECT_THAT(complaint(folder_.write("e.png", ""), kOneWayMask), HasSubstr("e.png"));
-  const auto empty = load_mask(folder_.write("w.pgm", "P2 2 1 255 255 0\n"), kOneWayMask);
-  ASSERT_TRUE(empty);
-  EXPECT_THAT(empty->notes, ElementsAre(HasSubstr("has no arrows")));
 }
 
 /// The depot of Nav2 with its masks, on one grid.

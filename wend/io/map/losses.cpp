@@ -154,10 +154,6 @@ std::vector<std::string> losses(const GridMap& map, MapFormat format) {
   const MapFormatInfo& info = info_of(format);
   Sentences told;
   tell_cells(count_losses(map, info), info, told);
-  if (map.directions() != nullptr) {
-    told.push_back(
-        fmt::format("{} cannot hold directions: one-way zones and slopes are left out", info.noun));
-  }
   tell_frame(map.frame(), nearest_frame(map.frame(), info), map.height(), info, told);
   return told;
 }
@@ -168,9 +164,6 @@ std::string cells_not_held(const GridMap& map, MapFormat wanted) {
     return fmt::format("{} cannot hold unknown cells ({}); {} can", format.noun,
                        cells(map.unknown().count()),
                        formats_with(&MapFormatInfo::holds_unknown_cells));
-  }
-  if (map.directions() != nullptr) {
-    return fmt::format("{} cannot hold directions; keep them as masks", format.noun);
   }
   if (map.uniform_terrain()) return {};
   if (format.nearest_terrain == nullptr) {

@@ -9,7 +9,7 @@
 //   image         all three states    none                               none
 //   MovingAI      free and occupied   none                               none
 //
-// No format holds directions (wend/map/direction_map.hpp). Without a frame, cells are the unit and y points down. Maps are written as they are drawn, so if the
+// Without a frame, cells are the unit and y points down. Maps are written as they are drawn, so if the
 // direction of y changes, row 0 is another row. The MapFormatInfo of a format says what it holds.
 
 #include <string>

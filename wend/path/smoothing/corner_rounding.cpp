@@ -11,7 +11,6 @@
 #include "wend/path/length_fault.hpp"
 #include "wend/path/path_fault.hpp"
 #include "wend/path/path_metrics.hpp"
-#include "wend/robot/directed_way.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 
 namespace wend {
@@ -48,8 +47,7 @@ Path rounded(std::vector<Point> points, const FreeSpace& space, double window, A
         std::isfinite(radius) && radius > kSame ? radius * corner.half_turn_tangent() : 0;
     const Pose begin = displaced(at, heading, -cut);
     const Pose end = displaced(at, next, cut);
-    const Arc arc = arc_to(begin, end.point());
-    if (cut > 0 && fits_along(space, arc, {.adjacency = adjacency}) && may_go_along(space, arc)) {
+    if (cut > 0 && fits_along(space, arc_to(begin, end.point()), {.adjacency = adjacency})) {
       drive_to(poses, begin);
       drive_to(poses, end);
     } else {

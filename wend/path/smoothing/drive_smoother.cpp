@@ -16,7 +16,6 @@
 #include "wend/path/path_fault.hpp"
 #include "wend/path/smoothing/drive_window.hpp"
 #include "wend/path/smoothing/smoothing.hpp"
-#include "wend/robot/directed_way.hpp"
 
 namespace wend {
 namespace {
@@ -207,7 +206,7 @@ class DriveSweeps {
   /// By the segments between the poses themselves, which is what a robot gets.
   bool drivable(const Path& part) const {
     return std::ranges::all_of(part.segments(), [this](const Segment& segment) {
-      return is_driven(segment) && may_go_along(space_, segment) &&
+      return is_driven(segment) &&
              std::abs(curvature_of(segment)) * objective_.radius <= 1 + kCurvature;
     });
   }

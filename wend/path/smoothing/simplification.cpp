@@ -14,7 +14,6 @@
 #include "wend/path/length_fault.hpp"
 #include "wend/path/path_fault.hpp"
 #include "wend/path/polyline.hpp"
-#include "wend/robot/directed_way.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 #include "wend/robot/sweep/point_sweep.hpp"
 
@@ -36,7 +35,7 @@ class Sight {
     if (stop_.now()) return false;
     const bool gaps_matter = space_.radius_in_cells() == 0 && adjacency_ == Adjacency::edges;
     if (gaps_matter && (in_gap(space_, a) || in_gap(space_, b))) return false;
-    return disc_fits_along(space_, Line{a, b}, adjacency_) && may_go_along(space_, Line{a, b});
+    return disc_fits_along(space_, Line{a, b}, adjacency_);
   }
 
   /// For a robot that comes to the line, and leaves it, with these headings, if it has any: a polygon
@@ -46,8 +45,8 @@ class Sight {
     if ((*this)(line.from, line.to)) return true;
     if (!space_.outline() || line.length() == 0 || stop_.has_passed()) return false;
     const double heading = line.heading();
-    return fits_along(space_, line) && may_go_along(space_, line) &&
-           turns(line.from, arrival, heading) && turns(line.to, heading, departure);
+    return fits_along(space_, line) && turns(line.from, arrival, heading) &&
+           turns(line.to, heading, departure);
   }
 
   bool has_shape() const { return space_.outline() != nullptr; }
@@ -110,20 +109,14 @@ std::size_t last_in_sight(std::size_t count, std::size_t from, const Sees& sees)
   return seen;
 }
 
-/// `sees(from, to)`: are two points joined by a line that is free?
-template <class Sees>
-std::vector<std::size_t> pulled(std::span<const Point> points, const Sees& sees) {
+std::vector<std::size_t> pulled_forwards(std::span<const Point> points, const Sight& sight) {
   std::vector<std::size_t> kept{0};
   while (kept.back() + 1 < points.size()) {
     const std::size_t from = kept.back();
     kept.push_back(last_in_sight(points.size(), from,
-                                 [&](std::size_t to) { return sees(points[from], points[to]); }));
+                                 [&](std::size_t to) { return sight(points[from], points[to]); }));
   }
   return kept;
-}
-
-std::vector<std::size_t> pulled_forwards(std::span<const Point> points, const Sight& sight) {
-  return pulled(points, [&](Point from, Point to) { return sight(from, to); });
 }
 
 /// The heading of the path where it leaves a point; none at its end.
@@ -159,8 +152,7 @@ std::vector<Point> pulled_by_shape(std::span<const Point> points, const Sight& s
 
 std::vector<std::size_t> pulled_backwards(std::vector<Point> points, const Sight& sight) {
   std::reverse(points.begin(), points.end());
-  std::vector<std::size_t> kept =
-      pulled(points, [&](Point from, Point to) { return sight(to, from); });
+  std::vector<std::size_t> kept = pulled_forwards(points, sight);
   for (std::size_t& index : kept) index = points.size() - 1 - index;
   std::reverse(kept.begin(), kept.end());
   return kept;
@@ -323,10 +315,10 @@ Expected<Path, Error> string_pulled(const Path& path, const FreeSpace& space, Ad
   const std::vector<std::size_t> backwards = pulled_backwards(points, sight);
   std::vector<std::size_t> candidates;
   std::ranges::set_union(forwards, backwards, std::back_inserter(candidates));
-  std::vector<Point> way = shortest_through(candidates, points, sight);
-  if (sight.has_shape()) way = pulled_by_shape(way, sight);
+  std::vector<Point> pulled = shortest_through(candidates, points, sight);
+  if (sight.has_shape()) pulled = pulled_by_shape(pulled, sight);
   if (sight.stopped()) return stopped_while("simplified", deadline);
-  return Path::along(std::move(way));
+  return Path::along(std::move(pulled));
 }
 
 Expected<Path, Error> resampled(const Path& path, double spacing, const FreeSpace& space,

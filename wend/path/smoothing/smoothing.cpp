@@ -9,7 +9,6 @@
 #include "wend/path/largest_distance.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_fault.hpp"
-#include "wend/robot/directed_way.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 #include "wend/robot/sweep/swept_clearance.hpp"
 
@@ -71,13 +70,10 @@ double MovablePath::move_within_bound(std::size_t i, Point to) {
 MovablePath::Beside MovablePath::look_beside(const Line& line) const {
   assert(adjacency_);
   const auto room = room_along(*space_, line, *adjacency_);
-  // Directions say nothing of a line beside it.
-  const bool known = room && space_->directions() == nullptr;
-  return {line, known ? *room * *room : 0, room.has_value()};
+  return {line, room ? *room * *room : 0, room.has_value()};
 }
 
 std::optional<MovablePath::Beside> MovablePath::free_beside(const Line& line) const {
-  if (!may_go_along(*space_, line)) return std::nullopt;
   const Beside beside = look_beside(line);
   const bool free = beside.any_heading || (space_->outline() && fits_along(*space_, line));
   return free ? std::optional(beside) : std::nullopt;
@@ -86,7 +82,7 @@ std::optional<MovablePath::Beside> MovablePath::free_beside(const Line& line) co
 /// Says whether all lines are seen to be free at every heading. One in a gap between two obstacles is
 /// not.
 bool MovablePath::look_around() {
-  bool free = on_map(points_.front()) && points_.size() > 1 && space_->directions() == nullptr;
+  bool free = on_map(points_.front()) && points_.size() > 1;
   beside_.reserve(points_.size());
   rests_.resize(points_.size());
   for (std::size_t i = 1; i < points_.size(); ++i) {

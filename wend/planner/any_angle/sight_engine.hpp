@@ -66,9 +66,8 @@ GridPlanner::Parts any_angle_parts(const FreeSpace& space, const AnyAngleOptions
   };
   const CornerRule rule = options.corner_rule;
   return {{Connectivity::eight, rule},
-          space.directions() != nullptr ? engine_on(DirectedSightGrid(space, rule))
-          : space.uniform_terrain()     ? engine_on(SightGrid(space, rule))
-                                        : engine_on(CostSightGrid(space, rule)),
+          space.uniform_terrain() ? engine_on(SightGrid(space, rule))
+                                  : engine_on(CostSightGrid(space, rule)),
           Plan::kNoBound,
           true};
 }

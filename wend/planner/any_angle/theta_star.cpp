@@ -51,7 +51,7 @@ PlannerInfo theta_star_planner() {
                "waypoints lie in the middle of cells; string pulling a path of jps is faster, and "
                "mostly a little longer. On costs, lines are chosen by what they cost.",
        .guarantee = Guarantee::complete,
-       .capabilities = {.any_angle = true, .terrain = true, .directions = true}},
+       .capabilities = {.any_angle = true, .terrain = true}},
       any_angle_parts<ParentsInSight, SightCheck::when_reached>);
 }
 

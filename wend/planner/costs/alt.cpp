@@ -12,8 +12,7 @@ GridPlanner::Parts alt_parts(const FreeSpace& space, const AltOptions& options,
                              DeadlineCheck& stop) {
   const HeuristicKind kind = resolved(HeuristicKind::automatic, options.moves.connectivity);
   const BestFirst parts{options.moves, kind, 0, 1};
-  if (!can_leap(space, parts) || space.directions() != nullptr)
-    return best_first_parts(space, parts);
+  if (!can_leap(space, parts)) return best_first_parts(space, parts);
   return leap_parts(space, parts, static_cast<unsigned>(options.landmarks), stop);
 }
 
@@ -37,12 +36,12 @@ PlannerInfo alt_planner() {
        .bytes_per_cell = 45,
        .when = "For many queries on one map with costs. An edit that makes cells free or cheaper "
                "ends the use of the "
-               "landmarks. Where a disc may cut corners, on maps with directions, and for several "
-               "goals or a goal "
-               "with a tolerance, it searches as astar.",
+               "landmarks. Where a disc may cut corners, and for several goals or a goal with a "
+               "tolerance, "
+               "it searches as astar.",
        .guarantee = Guarantee::optimal,
        .preprocessing = Preprocessing::quick,
-       .capabilities = {.jumps = true, .terrain = true, .resumes = true, .directions = true}},
+       .capabilities = {.jumps = true, .terrain = true, .resumes = true}},
       alt_parts);
 }
 

@@ -46,7 +46,7 @@ PlannerInfo astar_planner() {
            "A weight above 1 often expands far fewer cells, but each expansion takes several "
            "times as long.",
        .guarantee = Guarantee::bounded,
-       .capabilities = {.leaps = true, .terrain = true, .learns = true, .directions = true}},
+       .capabilities = {.leaps = true, .terrain = true, .learns = true}},
       astar_parts);
 }
 

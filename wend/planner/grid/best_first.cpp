@@ -58,9 +58,6 @@ std::unique_ptr<GridEngine> make_real(const FreeSpace& space, const BestFirst& p
 
 /// Expands cell by cell.
 std::unique_ptr<GridEngine> make_stepping_engine(const FreeSpace& space, const BestFirst& parts) {
-  if (space.directions() != nullptr) {
-    return make_real<DirectedGrid>(space, parts, MoveTable::Pruning::none);
-  }
   if (!space.uniform_terrain()) {
     return make_real<TerrainGrid>(space, parts, MoveTable::Pruning::none);
   }
@@ -99,8 +96,7 @@ GridPlanner::Parts best_first_parts(const FreeSpace& space, const BestFirst& par
                                              .weight = parts.weight}),
             parts.bound()};
   }
-  if (!space.uniform_terrain() && space.directions() == nullptr && parts.leaps &&
-      can_leap(space, parts)) {
+  if (!space.uniform_terrain() && parts.leaps && can_leap(space, parts)) {
     return leap_parts(space, parts, 0, stop);
   }
   return {parts.moves, make_stepping_engine(space, parts), parts.bound()};

@@ -11,16 +11,12 @@
 namespace wend {
 namespace {
 
-template <class Space>
-std::unique_ptr<GridEngine> make_engine(const FreeSpace& space, const GridMoves& moves) {
-  using Engine = GridEngineOf<Space, FifoFrontier, ByFewestSteps, DuplicateRule::keep_first>;
-  return std::make_unique<Engine>(Space(space, moves), ByFewestSteps());
-}
+using BfsEngine = GridEngineOf<ExactGrid, FifoFrontier, ByFewestSteps, DuplicateRule::keep_first>;
 
 /// The fewest steps are the cheapest path where all steps cost the same, and within sqrt(2) of it
 /// where some are diagonal.
 double bound(const FreeSpace& space, const GridMoves& moves) {
-  if (!space.uniform_terrain() || space.directions() != nullptr) return Plan::kNoBound;
+  if (!space.uniform_terrain()) return Plan::kNoBound;
   return moves.connectivity == Connectivity::four ? 1 : std::numbers::sqrt2;
 }
 
@@ -32,9 +28,7 @@ GridPlanner::Parts bfs_parts(const FreeSpace& space, const BfsOptions& options) 
             make_first_way_engine(space, {.moves = moves, .order = order, .fewest_steps = true}),
             bound(space, moves)};
   }
-  return {moves,
-          space.directions() != nullptr ? make_engine<AllowedGrid>(space, moves)
-                                        : make_engine<ExactGrid>(space, moves),
+  return {moves, std::make_unique<BfsEngine>(ExactGrid(space, moves), ByFewestSteps()),
           bound(space, moves)};
 }
 
@@ -55,8 +49,7 @@ PlannerInfo bfs_planner() {
        .bytes_per_cell = 16,
        .when = "Where the number of moves matters, or on 4 neighbours and uniform terrain. On 8 "
                "neighbours a diagonal step counts as one step.",
-       .guarantee = Guarantee::fewest_steps,
-       .capabilities = {.directions = true}},
+       .guarantee = Guarantee::fewest_steps},
       bfs_parts);
 }
 

@@ -33,7 +33,7 @@ PlannerInfo dijkstra_planner() {
        .bytes_per_cell = 8,
        .when = "In mazes, and as a baseline; elsewhere astar expands fewer cells.",
        .guarantee = Guarantee::optimal,
-       .capabilities = {.leaps = true, .terrain = true, .learns = true, .directions = true}},
+       .capabilities = {.leaps = true, .terrain = true, .learns = true}},
       dijkstra_parts);
 }
 

@@ -131,10 +131,9 @@ void GridPlanner::begin_search(const Limits& limits, SearchObserver* observer) {
 
 void GridPlanner::assess(Plan& out) {
   const auto cells = out.path.cells();
-  const bool plain = free_space().uniform_terrain() && free_space().directions() == nullptr;
-  out.cost = !any_angle_ ? grid_path_cost(free_space(), cells)
-             : plain     ? out.path.length()
-                         : any_angle_path_cost(free_space(), cells);
+  out.cost = !any_angle_                      ? grid_path_cost(free_space(), cells)
+             : free_space().uniform_terrain() ? out.path.length()
+                                              : any_angle_path_cost(free_space(), cells);
   out.bound = engine_->bound().value_or(bound_);
 }
 

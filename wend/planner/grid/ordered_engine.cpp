@@ -115,17 +115,11 @@ std::unique_ptr<GridEngine> make_engine(const FreeSpace& space, const OrderedSea
 
 std::unique_ptr<GridEngine> make_first_way_engine(const FreeSpace& space,
                                                   const OrderedSearch& search) {
-  if (space.directions() != nullptr) {
-    return make_engine<AllowedGrid, DuplicateRule::keep_first>(space, search);
-  }
   return make_engine<ExactGrid, DuplicateRule::keep_first>(space, search);
 }
 
 std::unique_ptr<GridEngine> make_cheapest_way_engine(const FreeSpace& space,
                                                      const OrderedSearch& search) {
-  if (space.directions() != nullptr) {
-    return make_engine<DirectedGrid, DuplicateRule::keep_cheaper>(space, search);
-  }
   if (space.uniform_terrain()) {
     return make_engine<ExactGrid, DuplicateRule::keep_cheaper>(space, search);
   }

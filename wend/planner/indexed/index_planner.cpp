@@ -148,7 +148,6 @@ class MethodSupport final : public IndexSupport {
   Expected<IndexBytes, Error> build(const FreeSpace& space,
                                     const IndexBuilding& building) const override {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
-    if (auto refused = refused_directions(planner_, space)) return Unexpected<Error>(*refused);
     auto built = method_.build(space.passable(), building);
     if (!built) return Unexpected<Error>(built.error());
     return *std::move(built);
@@ -175,7 +174,6 @@ class MethodSupport final : public IndexSupport {
  private:
   AnswersResult open(const FreeSpace& space, IndexBytes index) const {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
-    if (auto refused = refused_directions(planner_, space)) return Unexpected<Error>(*refused);
     auto opened = method_.open(std::move(index), space);
     if (!opened)
       return failure(Status::index_mismatch, "index does not match: " + opened.error().message,

@@ -106,17 +106,6 @@ std::unique_ptr<LatticeEngine<CarLattice>> engine_of(const CarLattice& lattice,
                                   Priority(CarEstimates<Costs>(lattice, heuristic), weight));
 }
 
-template <class Costs>
-std::unique_ptr<LatticeEngine<CarLattice>> anytime_engine_of(const CarLattice& lattice,
-                                                             CarHeuristic heuristic,
-                                                             AnytimeWeights weights) {
-  using Space = CarSpace<Costs>;
-  using Priority = LatticePriority<Space, CarEstimates<Costs>>;
-  using Engine = AnytimeEngineOf<LatticeEngine<CarLattice>, LatticeNames, Space, Priority>;
-  return std::make_unique<Engine>(
-      Space(lattice), Priority(CarEstimates<Costs>(lattice, heuristic), weights.first), weights);
-}
-
 /// Is the lattice so large that even the estimates outgrow 32 bits?
 bool too_far(const CarLattice& lattice) {
   constexpr int kFarthest = UINT32_MAX / CarUnits::kTurn / 4;
@@ -128,9 +117,6 @@ bool too_far(const CarLattice& lattice) {
 std::unique_ptr<LatticeEngine<CarLattice>> make_engine(const CarLattice& lattice,
                                                        CarHeuristic heuristic, double weight) {
   if (weight == 0) heuristic = CarHeuristic::zero;
-  if (lattice.free_space().directions() != nullptr) {
-    return engine_of<DirectedCarCosts>(lattice, heuristic, weight);
-  }
   const bool whole = has_whole_costs(lattice) && (weight == 1 || weight == 0);
   if (!whole) return engine_of<RealCarCosts>(lattice, heuristic, weight);
   const auto exact = [=] { return engine_of<ExactCarCosts>(lattice, heuristic, weight); };
@@ -143,10 +129,12 @@ std::unique_ptr<LatticeEngine<CarLattice>> make_engine(const CarLattice& lattice
 std::unique_ptr<LatticeEngine<CarLattice>> make_anytime_engine(const CarLattice& lattice,
                                                                CarHeuristic heuristic,
                                                                AnytimeWeights weights) {
-  if (lattice.free_space().directions() != nullptr) {
-    return anytime_engine_of<DirectedCarCosts>(lattice, heuristic, weights);
-  }
-  return anytime_engine_of<RealCarCosts>(lattice, heuristic, weights);
+  using Space = CarSpace<RealCarCosts>;
+  using Priority = LatticePriority<Space, CarEstimates<RealCarCosts>>;
+  using Engine = AnytimeEngineOf<LatticeEngine<CarLattice>, LatticeNames, Space, Priority>;
+  return std::make_unique<Engine>(
+      Space(lattice), Priority(CarEstimates<RealCarCosts>(lattice, heuristic), weights.first),
+      weights);
 }
 
 std::vector<LeavingMotion> leaving_motions(const CarLattice& lattice, const CornerPose& place) {

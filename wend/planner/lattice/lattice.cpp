@@ -80,11 +80,7 @@ PlannerInfo lattice_planner() {
       .mover = "a robot with a shape and a heading, from cell to cell",
       .guarantee = Guarantee::bounded,
       .preprocessing = Preprocessing::none,
-      .capabilities = {.headings = true,
-                       .primitives = true,
-                       .terrain = true,
-                       .can_step = true,
-                       .directions = true},
+      .capabilities = {.headings = true, .primitives = true, .terrain = true, .can_step = true},
       .options = option_schema<LatticeOptions>(),
       .make = make_lattice};
 }

@@ -124,8 +124,7 @@ std::optional<Plan> rest_on(const CarLattice& lattice, std::span<const Pose> pos
     if (!move) return std::nullopt;
     const bool first = i == 1 && in_a_step;
     const bool fits = first ? is_free(lattice.free_space(), poses, from, from.joint + 1)
-                            : lattice.fits(last.vertex, lattice.step(last.heading, *move)) &&
-                                  std::isfinite(lattice.directed_factor(last, *move));
+                            : lattice.fits(last.vertex, lattice.step(last.heading, *move));
     if (!fits) return std::nullopt;
     rest.moves.push_back(name_of(*move, lattice.free_space().map().frame()));
   }

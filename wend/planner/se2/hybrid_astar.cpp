@@ -50,7 +50,7 @@ PlannerInfo hybrid_astar_planner() {
       .mover = "a robot with a shape and a heading, from pose to pose",
       .guarantee = Guarantee::none,
       .preprocessing = Preprocessing::none,
-      .capabilities = {.headings = true, .terrain = true, .directions = true},
+      .capabilities = {.headings = true, .terrain = true},
       .options = option_schema<HybridAStarOptions>(),
       .make = make};
 }

@@ -237,12 +237,8 @@ void HybridSearch::expand_to_contact(Index node, const Motion& primitive) {
 
 /// The cost of the way of a motion of this search's robot.
 double HybridSearch::way_of(const Pose& pose, const Motion& motion) const {
-  if (direction_ == Direction::from_start) return check_.cost(pose, motion);
-  const Pose robot = facing_back(pose);
-  const Motion away = facing_back(motion);
-  if (check_.free_space().directions() == nullptr) return check_.cost(robot, away);
-  // The robot itself will come the other way.
-  return check_.cost(pose_after(robot, away), {-away.length, -away.turn, away.course});
+  return direction_ == Direction::from_start ? check_.cost(pose, motion)
+                                             : check_.cost(facing_back(pose), facing_back(motion));
 }
 
 std::optional<double> HybridSearch::drive(Index node, std::span<const Motion> motions,

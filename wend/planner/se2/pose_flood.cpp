@@ -58,7 +58,7 @@ void PoseFlood::expand(Pose pose) {
   for (const Motion& primitive : steering_.primitives()) {
     Motion motion = steering_.scaled(primitive, resolution_.step);
     if (direction_ == Direction::to_goal) motion = {-motion.length, -motion.turn, motion.course};
-    if (check_.has_room_for(pose, motion)) add(pose_after(pose, motion));
+    if (check_.fits(pose, motion)) add(pose_after(pose, motion));
   }
 }
 

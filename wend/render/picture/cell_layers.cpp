@@ -145,9 +145,8 @@ void draw_arrow(cairo_t* context, Point centre, double length, Direction directi
 }
 
 void draw_arrows(const SceneDrawing& drawing, bool raised) {
-  const auto of_map = drawing.scene.arrows ? std::nullopt : arrows_of(drawing.scene.space.map());
-  if (!drawing.scene.arrows && !of_map) return;
-  const ArrowField& arrows = of_map ? *of_map : *drawing.scene.arrows;
+  if (!drawing.scene.arrows) return;
+  const ArrowField& arrows = *drawing.scene.arrows;
   const double scale = drawing.view.scale();
   const int block = std::max(1, static_cast<int>(std::ceil(kLeastSpacing / scale)));
   const double share = raised ? kShareIfRaised : kShareOfSpacing;

@@ -76,7 +76,6 @@ void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const S
       [[fallthrough]];
     case Swatch::start:
     case Swatch::goal:
-    case Swatch::via:
     case Swatch::nearest_free:
     case Swatch::collision:
       return draw_mark(pen, item.swatch, centre);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <string>
 
 #include "wend/render/picture/scene_drawing.hpp"
 
@@ -44,15 +42,6 @@ void draw_target(const Pen& pen, Point centre, const Colour& colour, std::option
   fill(pen.context, pen.style.halo);
   trace_circle(pen.context, centre, 0.35 * pen.sizes.mark);
   fill(pen.context, colour);
-}
-
-/// Readable down to 9 pixels: two and three digits are a little wider than the disc.
-void draw_number(const Pen& pen, Point centre, std::size_t number, const Colour& under) {
-  const std::string text = std::to_string(number);
-  const double size = std::max(9.0, 1.4 * pen.sizes.mark);
-  select_label_font(pen.context, size);
-  const double left = centre.x - text_width(pen.context, text) / 2;
-  draw_text(pen.context, {left, centre.y + 0.36 * size}, text, readable_on(under));
 }
 
 void draw_ring_with_ticks(const Pen& pen, Point centre, const Colour& colour) {
@@ -127,10 +116,11 @@ void fill_with_halo(const Pen& pen, const Colour& colour) {
 
 void draw_mark(const Pen& pen, Swatch mark, Point centre, std::optional<double> angle) {
   const Style& style = pen.style;
-  const bool aim = mark == Swatch::goal || mark == Swatch::via;
-  const Colour& colour = mark == Swatch::start ? style.start : aim ? style.goal : style.narrowest;
+  const Colour& colour = mark == Swatch::start  ? style.start
+                         : mark == Swatch::goal ? style.goal
+                                                : style.narrowest;
   if (pen.sizes.halo <= 0) return fill_square(pen.context, centre, 2 * pen.sizes.mark, colour);
-  if (mark == Swatch::start || mark == Swatch::via) draw_disc(pen, centre, colour, angle);
+  if (mark == Swatch::start) draw_disc(pen, centre, colour, angle);
   if (mark == Swatch::goal) draw_target(pen, centre, colour, angle);
   if (mark == Swatch::narrowest) draw_ring_with_ticks(pen, centre, colour);
   if (mark == Swatch::nearest_free) draw_diamond(pen, centre, colour);
@@ -145,12 +135,6 @@ void draw_marks(const SceneDrawing& drawing) {
     if (place.heading) angle = drawing.view.angle_of(*place.heading);
     draw_mark(drawing, mark, drawing.view.to_picture(place.point), angle);
   };
-  for (std::size_t i = 0; i < scene.vias.size(); ++i) {
-    const Point centre = drawing.view.to_picture(scene.vias[i].point);
-    draw(Swatch::via, scene.vias[i]);
-    if (drawing.sizes.halo > 0 && on_map(scene, scene.vias[i].point))
-      draw_number(drawing, centre, i + 1, drawing.style.goal);
-  }
   for (const ScenePlace& goal : scene.goals) draw(Swatch::goal, goal);
   if (scene.start) draw(Swatch::start, *scene.start);
   if (scene.narrowest) draw(Swatch::narrowest, *scene.narrowest);

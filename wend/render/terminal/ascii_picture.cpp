@@ -164,7 +164,6 @@ std::string ascii_picture(const Scene& scene, int columns, int rows) {
   for (const SceneLine& line : scene.lines) {
     canvas.draw_points(line.points, ascii_of(glyph_of(line.role).text).front());
   }
-  for (const ScenePlace& via : scene.vias) canvas.put(via.point, 'V');
   for (const ScenePlace& goal : scene.goals) canvas.put(goal.point, 'G');
   for (const Cell cell : scene.nearest_free) canvas.put(centre_of(cell), 'N');
   if (scene.start) canvas.put(scene.start->point, 'S');

@@ -24,7 +24,6 @@ struct MeaningText {
 constexpr std::array<MeaningText, kMeanings> kMeaningTexts{{
     {Meaning::start, "1;32", "S", "start"},
     {Meaning::goal, "1;31", "G", "goal"},
-    {Meaning::via, "1;31", "V", "via"},
     {Meaning::path, "1;97;44", "→", "path"},
     {Meaning::pose, "1;94", "→", "pose"},
     {Meaning::ahead, "1;94", "─", "driven ahead"},
@@ -244,7 +243,6 @@ void put_marks(const Scene& scene, Grid<Glyph>& glyphs) {
   };
   if (scene.narrowest) put(*scene.narrowest, Meaning::narrowest);
   for (const Cell cell : scene.nearest_free) put(centre_of(cell), Meaning::nearest_free);
-  for (const ScenePlace& via : scene.vias) put(via.point, Meaning::via);
   if (scene.start) put(scene.start->point, Meaning::start);
   for (const ScenePlace& goal : scene.goals) put(goal.point, Meaning::goal);
   if (scene.robot) put(scene.robot->point(), Meaning::robot);

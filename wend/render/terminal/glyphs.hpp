@@ -19,7 +19,6 @@ namespace wend {
 enum class Meaning : unsigned char {
   start,
   goal,
-  via,
   path,
   pose,     // a car's
   ahead,    // driven
@@ -51,7 +50,7 @@ enum class Meaning : unsigned char {
   axis,
   blank,
 };
-inline constexpr std::size_t kMeanings = 32;
+inline constexpr std::size_t kMeanings = 31;
 
 struct Glyph {
   std::string_view text;  // one column wide, UTF-8

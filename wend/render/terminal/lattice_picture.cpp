@@ -129,7 +129,6 @@ class LatticePicture {
     };
     if (scene_.start) make_room(*scene_.start);
     std::ranges::for_each(scene_.goals, make_room);
-    std::ranges::for_each(scene_.vias, make_room);
     return margins;
   }
 
@@ -202,7 +201,6 @@ class LatticePicture {
 
   void draw_marks() {
     if (scene_.narrowest) put_at(*scene_.narrowest, glyph_of(Meaning::narrowest));
-    for (const ScenePlace& via : scene_.vias) draw_mark(via, glyph_of(Meaning::via));
     for (const ScenePlace& goal : scene_.goals) draw_mark(goal, glyph_of(Meaning::goal));
     if (scene_.start) draw_mark(*scene_.start, glyph_of(Meaning::start));
   }

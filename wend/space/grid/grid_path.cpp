@@ -1,11 +1,8 @@
 #include "wend/space/grid/grid_path.hpp"
 
-#include <cstdint>
-#include <limits>
 #include <numbers>
 #include <optional>
 
-#include "wend/robot/directed_way.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 #include "wend/robot/sweep/point_sweep.hpp"
 #include "wend/space/grid/grid_space.hpp"
@@ -34,25 +31,6 @@ double uniform_cost(std::span<const Cell> cells) {
          std::numbers::sqrt2 * static_cast<double>(diagonals);
 }
 
-/// Infinite if a step is forbidden.
-double directed_cost(const FreeSpace& space, std::span<const Cell> cells) {
-  double cost = 0;
-  for (std::size_t i = 1; i < cells.size(); ++i) {
-    const Cell from = cells[i - 1];
-    const Cell to = cells[i];
-    if (from == to) continue;
-    const Direction direction = direction_of({to.x - from.x, to.y - from.y});
-    const std::uint32_t leaving = directed_steps_of(space, from, direction);
-    const std::uint32_t entering = directed_steps_of(space, to, direction);
-    if (leaving == DirectionMap::kForbidden || entering == DirectionMap::kForbidden) {
-      return std::numeric_limits<double>::infinity();
-    }
-    const double mean = (static_cast<double>(leaving) + entering) / (2.0 * CostMap::kOne);
-    cost += is_diagonal(direction) ? std::numbers::sqrt2 * mean : mean;
-  }
-  return cost;
-}
-
 /// The first cell that is blocked, or to which the path does not lead: `joined(before, cell)`.
 template <class Joined>
 std::optional<PathFault> first_fault(const FreeSpace& space, std::span<const Cell> cells,
@@ -71,7 +49,6 @@ std::optional<PathFault> first_fault(const FreeSpace& space, std::span<const Cel
 }  // namespace
 
 double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells) {
-  if (space.directions() != nullptr) return directed_cost(space, cells);
   if (space.uniform_terrain()) return uniform_cost(cells);
   double cost = 0;
   for (std::size_t i = 1; i < cells.size(); ++i) {
@@ -84,9 +61,7 @@ double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells) {
 Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves moves,
                                             std::span<const Cell> cells) {
   const ExactGrid grid(space, moves);
-  const auto is_step = [&](Cell from, Cell to) {
-    return grid.is_step(from, to) && may_step(space, from, to);
-  };
+  const auto is_step = [&](Cell from, Cell to) { return grid.is_step(from, to); };
   if (auto fault = first_fault(space, cells, is_step, "is no step")) {
     return Unexpected<PathFault>(*std::move(fault));
   }
@@ -96,8 +71,7 @@ Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves mo
 Expected<double, PathFault> check_any_angle_path(const FreeSpace& space, Adjacency adjacency,
                                                  std::span<const Cell> cells) {
   const auto is_free = [&](Cell from, Cell to) {
-    const Line line{centre_of(from), centre_of(to)};
-    return disc_fits_along(space, line, adjacency) && may_go_along(space, line);
+    return disc_fits_along(space, Line{centre_of(from), centre_of(to)}, adjacency);
   };
   if (auto fault = first_fault(space, cells, is_free, "is not free")) {
     return Unexpected<PathFault>(*std::move(fault));
@@ -114,7 +88,7 @@ Expected<double, PathFault> check_any_angle_path(const FreeSpace& space, Adjacen
     const Line line{waypoints[i - 1], waypoints[i]};
     const bool free =
         space.is_point() ? point.go_to(line.to) : disc_fits_along(space, line, adjacency);
-    if (!free || !may_go_along(space, line)) {
+    if (!free) {
       return Unexpected<PathFault>(PathFault{i, "line " + std::to_string(i) + " is not free"});
     }
     length += line.length();

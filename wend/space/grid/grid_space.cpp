@@ -27,13 +27,6 @@ GridSpace<Steps>::GridSpace(FreeSpace space, GridMoves moves, MoveTable::Pruning
 }
 
 template <class Steps>
-GridSpace<Steps>::GridSpace(FreeSpace space, GridMoves moves, Sense sense)
-  requires IsDirected<Steps>
-    : GridSpace(std::move(space), moves) {
-  steps_ = Steps(*space_, sense);
-}
-
-template <class Steps>
 void GridSpace<Steps>::release() {
   space_.reset();
   passable_ = nullptr;
@@ -43,11 +36,7 @@ template <class Steps>
 void GridSpace<Steps>::update(FreeSpace space) {
   space_ = std::move(space);
   passable_ = &space_->passable();
-  if constexpr (IsDirected<Steps>) {
-    steps_ = Steps(*space_, steps_.sense);
-  } else {
-    steps_ = Steps(*space_);
-  }
+  steps_ = Steps(*space_);
 }
 
 template <class Steps>
@@ -77,10 +66,7 @@ bool GridSpace<Steps>::is_step(Cell from, Cell to) const {
 template class GridSpace<UniformSteps<std::uint32_t>>;
 template class GridSpace<UniformSteps<std::uint64_t>>;
 template class GridSpace<TerrainSteps>;
-template class GridSpace<DirectedSteps>;
-template class GridSpace<AllowedSteps>;
 template class GridSpace<LengthSteps>;
 template class GridSpace<CostSteps>;
-template class GridSpace<DirectedCostSteps>;
 
 }  // namespace wend

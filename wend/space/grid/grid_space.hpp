@@ -4,7 +4,6 @@
 //
 // ExactGrid counts steps in whole numbers and is exact; TerrainGrid counts them in CostUnits: the length
 // times the mean of the multipliers of its two cells (the L-stage additive cost of LaValle).
-// DirectedGrid is the same where directions count (wend/map/direction_map.hpp), forwards or backwards.
 // Successors come in the order of Direction.
 
 #include <array>
@@ -14,7 +13,6 @@
 
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/map/direction_map.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/space/grid/cost_units.hpp"
 #include "wend/space/grid/grid_moves.hpp"
@@ -56,59 +54,6 @@ struct TerrainSteps {
   const CostMap* costs;  // owned by the FreeSpace that the space holds
 };
 
-/// Where a search leads.
-enum class Sense : std::uint8_t {
-  forwards,  // along the steps
-  backwards  // against them, from the goal: a step is the one by which a path comes back
-};
-
-/// Steps that cost what terrain and directions say, in CostUnits; some are forbidden.
-struct DirectedSteps {
-  using Cost = std::uint64_t;
-  static constexpr double kUnitsPerCell = CostUnits::kUnitsPerCell;
-  static constexpr bool kDirected = true;
-
-  /// The space has directions.
-  explicit DirectedSteps(const FreeSpace& space, Sense which = Sense::forwards)
-      : costs(&space.costs()), directions(space.directions()), sense(which) {}
-
-  /// Nothing if the step is forbidden.
-  std::optional<Cost> cost(const GridState& from, const GridState& to, unsigned direction) const {
-    const auto leads = static_cast<Direction>(direction);
-    const Direction heading = sense == Sense::forwards ? leads : opposite(leads);
-    const std::uint32_t leaving = directions->factor(from.cell, heading);
-    const std::uint32_t entering = directions->factor(to.cell, heading);
-    if (leaving == DirectionMap::kForbidden || entering == DirectionMap::kForbidden) return {};
-    const Cost sum = Cost{directed_steps(costs->steps(from.cell), leaving)} +
-                     directed_steps(costs->steps(to.cell), entering);
-    return sum * (is_diagonal(leads) ? CostUnits::kDiagonal : CostUnits::kStraight);
-  }
-
-  const CostMap* costs;            // owned by the FreeSpace that the space holds
-  const DirectionMap* directions;  // the same
-  Sense sense;
-};
-
-/// Steps that cost the same everywhere, without those that directions forbid.
-struct AllowedSteps : UniformSteps<std::uint64_t> {
-  static constexpr bool kDirected = true;
-
-  explicit AllowedSteps(const FreeSpace& space, Sense which = Sense::forwards)
-      : UniformSteps(space), directed(space, which), sense(which) {}
-
-  std::optional<Cost> cost(const GridState& from, const GridState& to, unsigned direction) const {
-    if (!directed.cost(from, to, direction)) return {};
-    return UniformSteps::cost(from, to, (direction & 1U) != 0);
-  }
-
-  DirectedSteps directed;
-  Sense sense;
-};
-
-/// Steps for which directions count.
-template <class Steps>
-concept IsDirected = requires { Steps::kDirected; };
-
 /// Must the way along a diagonal step be checked? Without corner cutting, a disc is safe between two cells
 /// where it may stand, because it may also stand on the cells beside the step. A point may touch corners.
 bool sweeps_diagonals(const FreeSpace& space, GridMoves moves);
@@ -124,9 +69,6 @@ class GridSpace {
   /// where a disc cuts corners.
   explicit GridSpace(FreeSpace space, GridMoves moves = {},
                      MoveTable::Pruning pruning = MoveTable::Pruning::none);
-  /// The same with directions.
-  GridSpace(FreeSpace space, GridMoves moves, Sense sense)
-    requires IsDirected<Steps>;
 
   /// Not between release() and update().
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access)
@@ -157,19 +99,14 @@ class GridSpace {
     for (; moves != 0; moves &= moves - 1) {
       const auto direction = static_cast<unsigned>(std::countr_zero(moves));
       const State next = neighbour(state, direction);
-      if constexpr (IsDirected<Steps>) {
-        const auto cost = steps_.cost(state, next, direction);
-        if (cost) sink(next, static_cast<Move>(direction), *cost);
-      } else {
-        sink(next, static_cast<Move>(direction), steps_.cost(state, next, (direction & 1U) != 0));
-      }
+      sink(next, static_cast<Move>(direction), steps_.cost(state, next, (direction & 1U) != 0));
     }
   }
 
   /// What to prefetch: successors of a successor lie ahead in the same direction, at the same offset again.
   StateId ahead(const State& from, const State& to) const { return 2 * to.number - from.number; }
 
-  /// Is there a legal step from one cell to the other? Directions are asked by may_step().
+  /// Is there a legal step from one cell to the other?
   bool is_step(Cell from, Cell to) const;
 
  private:
@@ -198,13 +135,9 @@ class GridSpace {
 using ExactGrid = GridSpace<UniformSteps<std::uint64_t>>;
 using CompactGrid = GridSpace<UniformSteps<std::uint32_t>>;
 using TerrainGrid = GridSpace<TerrainSteps>;
-using DirectedGrid = GridSpace<DirectedSteps>;
-using AllowedGrid = GridSpace<AllowedSteps>;
 
 extern template class GridSpace<UniformSteps<std::uint32_t>>;
 extern template class GridSpace<UniformSteps<std::uint64_t>>;
 extern template class GridSpace<TerrainSteps>;
-extern template class GridSpace<DirectedSteps>;
-extern template class GridSpace<AllowedSteps>;
 
 }  // namespace wend

@@ -4,18 +4,14 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "wend/geometry/line.hpp"
-#include "wend/robot/directed_way.hpp"
-
 namespace wend {
 namespace {
 
-double multiplier_along(const FreeSpace& space, Cell cell, double heading) {
+double multiplier_along(const FreeSpace& space, Cell cell) {
   const double terrain = space.terrain(cell);
   const Robot& robot = space.robot();
-  const bool passed = robot.clearance_distance == 0 || space.passable(cell);
-  const double multiplier = passed ? terrain : terrain * (1 + robot.clearance_cost);
-  return directed_multiplier(space, cell, multiplier, heading);
+  if (robot.clearance_distance == 0 || space.passable(cell)) return terrain;
+  return terrain * (1 + robot.clearance_cost);
 }
 
 /// The mean multiplier along a line of dx by dy cells. Crossings are compared as whole numbers, so that a line
@@ -24,7 +20,6 @@ double mean_multiplier(const FreeSpace& space, Cell from, Cell to, std::int64_t 
                        std::int64_t dy) {
   const int step_x = to.x < from.x ? -1 : 1;
   const int step_y = to.y < from.y ? -1 : 1;
-  const double heading = Line{centre_of(from), centre_of(to)}.heading();
   double mean = 0;
   double share = 0;  // of the line, up to the cell
   Cell cell = from;
@@ -36,7 +31,7 @@ double mean_multiplier(const FreeSpace& space, Cell from, Cell to, std::int64_t 
     const double crossing = over_upright
                                 ? static_cast<double>(2 * i + 1) / (2 * static_cast<double>(dx))
                                 : static_cast<double>(2 * j + 1) / (2 * static_cast<double>(dy));
-    mean += (crossing - share) * multiplier_along(space, cell, heading);
+    mean += (crossing - share) * multiplier_along(space, cell);
     share = crossing;
     if (over_upright) {
       cell.x += step_x;
@@ -47,7 +42,7 @@ double mean_multiplier(const FreeSpace& space, Cell from, Cell to, std::int64_t 
       ++j;
     }
   }
-  return mean + (1 - share) * multiplier_along(space, cell, heading);
+  return mean + (1 - share) * multiplier_along(space, cell);
 }
 
 }  // namespace
@@ -56,8 +51,7 @@ double line_cost(const FreeSpace& space, Cell from, Cell to) {
   const std::int64_t dx = std::abs(to.x - from.x);
   const std::int64_t dy = std::abs(to.y - from.y);
   const double length = std::sqrt(static_cast<double>(dx * dx + dy * dy));
-  const bool plain = space.uniform_terrain() && space.directions() == nullptr;
-  return plain || length == 0 ? length : length * mean_multiplier(space, from, to, dx, dy);
+  return space.uniform_terrain() ? length : length * mean_multiplier(space, from, to, dx, dy);
 }
 
 double any_angle_path_cost(const FreeSpace& space, std::span<const Cell> cells) {

@@ -1,7 +1,7 @@
 #pragma once
 
 // The cost of a straight line between the centres of two cells: the length in each cell that it crosses, times
-// the cell's multiplier for the heading. Infinite against an arrow that forbids it. For two neighbours that is what a step costs.
+// the cell's multiplier. For two neighbours that is what a step costs.
 //
 //   const double cost = wend::line_cost(space, {0, 4}, {3, 6});
 #include <span>

@@ -15,7 +15,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "wend/robot/directed_way.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 #include "wend/space/grid/cell_sight.hpp"
 #include "wend/space/grid/grid_space.hpp"
@@ -50,38 +49,15 @@ struct CostSteps {
   const CostMap* costs;  // owned by the FreeSpace that the space holds
 };
 
-/// The same with directions.
-struct DirectedCostSteps {
-  using Cost = double;
-  static constexpr double kUnitsPerCell = 1;
-  static constexpr bool kDirected = true;
-
-  explicit DirectedCostSteps(const FreeSpace& space, Sense which = Sense::forwards)
-      : whole(space, which), sense(which) {}
-
-  std::optional<Cost> cost(const GridState& from, const GridState& to, unsigned direction) const {
-    const auto cost = whole.cost(from, to, direction);
-    if (!cost) return {};
-    const bool diagonal = (direction & 1U) != 0;
-    const std::uint64_t unit = diagonal ? CostUnits::kDiagonal : CostUnits::kStraight;
-    const double mean = static_cast<double>(*cost / unit) / (2.0 * CostMap::kOne);
-    return diagonal ? std::numbers::sqrt2 * mean : mean;
-  }
-
-  DirectedSteps whole;
-  Sense sense;
-};
-
 extern template class GridSpace<LengthSteps>;
 extern template class GridSpace<CostSteps>;
-extern template class GridSpace<DirectedCostSteps>;
 
 template <class Steps>
 class SightSpace : public GridSpace<Steps> {
  public:
   using State = GridState;
   /// May a line cost more than another way? Else the straight line is the shortest.
-  static constexpr bool kCosts = !std::is_same_v<Steps, LengthSteps>;
+  static constexpr bool kCosts = std::is_same_v<Steps, CostSteps>;
 
   explicit SightSpace(FreeSpace space, CornerRule rule = CornerRule::none)
       : SightSpace(std::move(space), steps_in_sight(rule)) {}
@@ -94,12 +70,9 @@ class SightSpace : public GridSpace<Steps> {
     return std::sqrt(dx * dx + dy * dy);
   }
 
-  /// As disc_fits_along(), and may_go_along().
+  /// As disc_fits_along().
   bool sees(const State& a, const State& b) const {
     const FreeSpace& space = this->free_space();
-    if (IsDirected<Steps> && !may_go_along(space, Line{centre_of(a.cell), centre_of(b.cell)})) {
-      return false;
-    }
     if (space.is_point()) {
       return cells_in_sight(space.obstacles().blocked(), a.cell, b.cell, adjacency_);
     }
@@ -119,6 +92,5 @@ class SightSpace : public GridSpace<Steps> {
 
 using SightGrid = SightSpace<LengthSteps>;
 using CostSightGrid = SightSpace<CostSteps>;
-using DirectedSightGrid = SightSpace<DirectedCostSteps>;
 
 }  // namespace wend

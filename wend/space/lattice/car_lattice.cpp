@@ -5,9 +5,7 @@
 #include <numbers>
 
 #include "wend/geometry/arc.hpp"
-#include "wend/geometry/segment.hpp"
 #include "wend/map/grid_within.hpp"
-#include "wend/robot/directed_way.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 #include "wend/robot/sweep/sweep.hpp"
 #include "wend/robot/sweep/swept_clearance.hpp"
@@ -212,28 +210,7 @@ std::optional<CornerFault> CarLattice::why_blocked(Cell corner) const {
                      std::nullopt, clearance};
 }
 
-double CarLattice::directed_factor(const CornerPose& from, CarMove move) const {
-  const DirectionMap* const directions = data_->space.directions();
-  if (directions == nullptr) return 1;
-  const Pose begin = to_grid(from);
-  const Pose end = to_grid(moved(from, move));
-  const Cell low{static_cast<int>(std::min(begin.x, end.x)),
-                 static_cast<int>(std::min(begin.y, end.y))};
-  const Cell high{low.x + unit(), low.y + unit()};  // of a straight move, the cells beside it, too
-  bool any = false;
-  for (int y = low.y; y <= high.y && !any; ++y) {
-    for (int x = low.x; x <= high.x && !any; ++x) {
-      any = data_->space.contains({x, y}) && !directions->none_at({x, y});
-    }
-  }
-  return any ? wend::directed_factor(data_->space, segment_between(begin, end)) : 1;
-}
-
 double CarLattice::ground(const CornerPose& from, CarMove move) const {
-  return terrain_of(from, move) * directed_factor(from, move);
-}
-
-double CarLattice::terrain_of(const CornerPose& from, CarMove move) const {
   const CarStep& way = step(from.heading, move);
   if (terrain().empty()) return 1;
   if (way.turns) return terrain_at(from.vertex, way.swept);

@@ -108,10 +108,7 @@ class WEND_API CarLattice {
     return data_->terrain.empty() ? 1 : data_->terrain[{corner.x + offset.x, corner.y + offset.y}];
   }
 
-  /// The factor of a move's cost for its direction; infinite if that is forbidden. 1 without directions.
-  double directed_factor(const CornerPose& from, CarMove move) const;
-
-  /// The multiplier of a move's cost for the terrain and its direction. The move must be legal.
+  /// The multiplier of a move's cost for the terrain. The move must be legal.
   double ground(const CornerPose& from, CarMove move) const;
 
   /// Converts a pose from lattice coordinates to grid coordinates.
@@ -142,8 +139,6 @@ class WEND_API CarLattice {
   std::uint64_t possible_poses() const { return passable().count() * kHeadings; }
 
  private:
-  double terrain_of(const CornerPose& from, CarMove move) const;
-
   struct Data {
     FreeSpace space;
     CarDriving driving;

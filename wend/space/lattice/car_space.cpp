@@ -53,6 +53,5 @@ template class WholeCarCosts<std::uint64_t>;
 template class CarSteps<CompactCarCosts>;
 template class CarSteps<ExactCarCosts>;
 template class CarSteps<RealCarCosts>;
-template class CarSteps<DirectedCarCosts>;
 
 }  // namespace wend

@@ -10,7 +10,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 #include "wend/base/state_id.hpp"
@@ -84,13 +83,6 @@ class RealCarCosts {
   double reverse_factor_;
 };
 
-/// The same where directions count.
-class DirectedCarCosts : public RealCarCosts {
- public:
-  static constexpr bool kDirected = true;
-  using RealCarCosts::RealCarCosts;
-};
-
 /// The legal moves from each pose, in the order of CarMove.
 template <class CarCosts>
 class CarSteps {
@@ -121,17 +113,10 @@ class CarSteps {
 
   template <class Sink>
   void for_each(const Place& place, Sink&& sink) const {
-    if constexpr (requires { Costs::kDirected; }) {
-      for_each_of(place, kAllMoves, [&](const CarStep& way, Move move, Cost cost) {
-        const double factor = lattice_.directed_factor(place, static_cast<CarMove>(move));
-        if (factor < std::numeric_limits<double>::infinity()) sink(way, move, cost * factor);
-      });
-    } else {
-      for_each_of(place, kAllMoves, sink);
-    }
+    for_each_of(place, kAllMoves, sink);
   }
 
-  /// Only the moves of a set, bit m for CarMove m, without what directions say.
+  /// Only the moves of a set, bit m for CarMove m.
   template <class Sink>
   void for_each_of(const Place& place, unsigned moves, Sink&& sink) const {
     const Cell corner = place.vertex;
@@ -177,7 +162,6 @@ using ExactCarCosts = WholeCarCosts<std::uint64_t>;
 extern template class CarSteps<CompactCarCosts>;
 extern template class CarSteps<ExactCarCosts>;
 extern template class CarSteps<RealCarCosts>;
-extern template class CarSteps<DirectedCarCosts>;
 
 template <class Costs>
 using CarSpace = LatticeSpace<CarSteps<Costs>>;

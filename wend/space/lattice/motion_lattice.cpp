@@ -9,7 +9,6 @@
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/segment.hpp"
 #include "wend/geometry/trigonometry.hpp"
-#include "wend/robot/directed_way.hpp"
 
 namespace wend {
 namespace {
@@ -37,29 +36,18 @@ double cost_of(const Segment& segment, const LatticeCosts& costs) {
   return std::abs(segment.length) * (segment.length < 0 ? costs.reverse_factor : 1);
 }
 
-/// Where the base point moves at a pose of a segment.
-double heading_of_move(const Segment& segment, const Pose& pose) {
-  return normalized_angle(pose.heading + segment.course + (segment.length < 0 ? kPi : 0));
-}
-
 /// How the cost of a way is shared among the cells that it leads through.
-std::vector<CellShare> shares_of(const FreeSpace& space, std::span<const Pose> poses,
-                                 const LatticeCosts& costs) {
+std::vector<CellShare> shares_of(std::span<const Pose> poses, const LatticeCosts& costs) {
   std::vector<CellShare> shares;
   double whole = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const Segment segment = segment_between(poses[i - 1], poses[i]);
     const double cost = cost_of(segment, costs);
-    const bool directed = space.directions() != nullptr && segment.length != 0;
     const int samples = 1 + static_cast<int>(std::abs(segment.length) * kTerrainSamples);
     for (int n = 0; n < samples; ++n) {
-      const Pose pose = pose_on(segment, (n + 0.5) / samples);
-      const Cell cell = cell_at(pose.point());
-      const auto heading = directed ? std::optional(heading_of_move(segment, pose)) : std::nullopt;
-      auto found = std::ranges::find_if(shares, [&](const CellShare& share) {
-        return share.offset == cell && share.heading == heading;
-      });
-      if (found == shares.end()) found = shares.insert(found, {cell, 0, heading});
+      const Cell cell = cell_at(pose_on(segment, (n + 0.5) / samples).point());
+      auto found = std::ranges::find(shares, cell, &CellShare::offset);
+      if (found == shares.end()) found = shares.insert(found, {cell, 0});
       found->share += cost / samples;
     }
     whole += cost;
@@ -76,7 +64,7 @@ LatticeStep step_of(const FreeSpace& space, const MotionPrimitive& primitive, in
     cost += cost_of(segment_between(poses[i - 1], poses[i]), costs);
   }
   SweptCells swept(space, poses);
-  std::vector<CellShare> ground = shares_of(space, poses, costs);
+  std::vector<CellShare> ground = shares_of(poses, costs);
   poses.erase(poses.begin());
   return {primitive.from,   primitive.to,     primitive.by,     cost * primitive.cost_factor,
           std::move(poses), std::move(swept), std::move(ground)};
@@ -141,22 +129,9 @@ double MotionLattice::ground(Cell vertex, const LatticeStep& step) const {
   const Cell from = cell_of(vertex);
   double ground = 0;
   for (const CellShare& part : step.ground) {
-    const Cell cell{from.x + part.offset.x, from.y + part.offset.y};
-    const double terrain = data_->space.terrain(cell);
-    ground +=
-        part.share *
-        (part.heading ? directed_multiplier(data_->space, cell, terrain, *part.heading) : terrain);
+    ground += part.share * data_->space.terrain({from.x + part.offset.x, from.y + part.offset.y});
   }
   return ground;
-}
-
-bool MotionLattice::may_go(Cell vertex, const LatticeStep& step) const {
-  const DirectionMap& directions = *data_->space.directions();
-  const Cell from = cell_of(vertex);
-  return std::ranges::all_of(step.ground, [&](const CellShare& part) {
-    const Cell cell{from.x + part.offset.x, from.y + part.offset.y};
-    return !part.heading || directions.factor(cell, *part.heading) != DirectionMap::kForbidden;
-  });
 }
 
 Pose MotionLattice::to_grid(const LatticePose& place) const {

@@ -36,8 +36,6 @@ inline constexpr int kTerrainSamples = 16;
 struct CellShare {
   Cell offset;
   double share;
-  std::optional<double> heading =
-      {};  // of the move, where directions count; of a turn in place: none
 };
 
 struct LatticeStep {
@@ -83,16 +81,12 @@ class MotionLattice {
   /// May the robot make the step from this vertex?
   bool fits(Cell vertex, const LatticeStep& step) const {
     const Cell to{vertex.x + step.by.x, vertex.y + step.by.y};
-    return contains(to) && wend::fits(data_->space, step.swept, cell_of(vertex)) &&
-           (data_->space.directions() == nullptr || may_go(vertex, step));
+    return contains(to) && wend::fits(data_->space, step.swept, cell_of(vertex));
   }
 
   /// The cost of a step that fits.
   double cost(Cell vertex, const LatticeStep& step) const {
-    return costs_the_same_everywhere() ? step.cost : step.cost * ground(vertex, step);
-  }
-  bool costs_the_same_everywhere() const {
-    return data_->space.uniform_terrain() && data_->space.directions() == nullptr;
+    return data_->space.uniform_terrain() ? step.cost : step.cost * ground(vertex, step);
   }
 
   /// No step leads farther, in cells, than its cost divided by this.
@@ -124,7 +118,6 @@ class MotionLattice {
   const LatticeStep* step_between(const LatticePose& from, const LatticePose& to) const;
 
  private:
-  bool may_go(Cell vertex, const LatticeStep& step) const;
   double ground(Cell vertex, const LatticeStep& step) const;
 
   struct Data {

@@ -75,7 +75,7 @@ class VertexSteps {
 
   template <class Sink>
   void for_each(const Place& to, Sink&& sink) const {
-    const bool uniform = lattice_.costs_the_same_everywhere();
+    const bool uniform = lattice_.free_space().uniform_terrain();
     const LatticeStep* fitted = nullptr;  // the last step that fits
     for (const LatticeStep* const step : steps_) {
       if (uniform && fitted != nullptr && fitted->by == step->by) continue;

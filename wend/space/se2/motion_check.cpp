@@ -5,7 +5,6 @@
 
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/robot/cell_costs.hpp"
-#include "wend/robot/directed_way.hpp"
 #include "wend/robot/sweep/fits_along.hpp"
 #include "wend/robot/sweep/placed_polygon.hpp"
 #include "wend/robot/sweep/sweep.hpp"
@@ -128,10 +127,6 @@ double MotionCheck::room_around(const Pose& pose) const {
 }
 
 double MotionCheck::cost_of_way(const Pose& from, const Motion& motion) const {
-  return directed(undirected_way(from, motion), from, motion);
-}
-
-double MotionCheck::undirected_way(const Pose& from, const Motion& motion) const {
   const int pieces = pieces_of(motion);
   Middles middles(from, motion, pieces);
   double sum = 0;
@@ -141,19 +136,10 @@ double MotionCheck::undirected_way(const Pose& from, const Motion& motion) const
   return sum * std::abs(motion.length) / pieces;
 }
 
-double MotionCheck::directed(double cost, const Pose& from, const Motion& motion) const {
-  if (space_.directions() == nullptr || motion.length == 0 || cost == kBlocked) return cost;
-  return cost * directed_factor(space_, segment_of(from, motion));
-}
-
 double MotionCheck::cost(const Pose& from, const Motion& motion) const {
-  return directed(undirected_cost(from, motion), from, motion);
-}
-
-double MotionCheck::undirected_cost(const Pose& from, const Motion& motion) const {
   if (!stays_on_map(from, motion)) return kBlocked;
   if (space_.is_point()) {
-    return fits_along(space_, segment_of(from, motion)) ? undirected_way(from, motion) : kBlocked;
+    return fits_along(space_, segment_of(from, motion)) ? cost_of_way(from, motion) : kBlocked;
   }
   const int pieces = pieces_of(motion);
   const double piece = (std::abs(motion.length) + spin_ * std::abs(motion.turn)) / pieces;

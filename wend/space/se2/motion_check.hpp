@@ -7,8 +7,7 @@
 // no obstacle is missed, however thin. Near obstacles the check is conservative by at most kMargin cells, except
 // that a disc, a point, and a polygon that does not turn are decided by fits_along(), which is exact.
 //
-// The multipliers of cells are sampled at the middles of the pieces. Directions (wend/map/direction_map.hpp) multiply the
-// cost of the way by their mean along it, directed_factor(); where they forbid it, the motion is blocked.
+// The multipliers of cells are sampled at the middles of the pieces.
 
 #include <cstdint>
 #include <limits>
@@ -46,16 +45,12 @@ class MotionCheck {
 
   const FreeSpace& free_space() const { return space_; }
 
-  /// The mean multiplier of the cells of the way times its length, in cells, and what directions say; kBlocked if the robot does not fit
+  /// The mean multiplier of the cells of the way times its length, in cells; kBlocked if the robot does not fit
   /// somewhere on it. It fits at `from`. O(cells of the way), and more near obstacles.
   double cost(const Pose& from, const Motion& motion) const;
 
   /// Can the robot make the motion?
   bool fits(const Pose& from, const Motion& motion) const { return cost(from, motion) < kBlocked; }
-  /// The same, whatever directions say.
-  bool has_room_for(const Pose& from, const Motion& motion) const {
-    return undirected_cost(from, motion) < kBlocked;
-  }
 
   /// The same without looking at obstacles: of the part of the way that lies on the map.
   double cost_of_way(const Pose& from, const Motion& motion) const;
@@ -65,9 +60,6 @@ class MotionCheck {
   double room_at(Point point) const;
 
  private:
-  double directed(double cost, const Pose& from, const Motion& motion) const;
-  double undirected_cost(const Pose& from, const Motion& motion) const;
-  double undirected_way(const Pose& from, const Motion& motion) const;
   double room_around(const Pose& pose) const;
   int pieces_of(const Motion& motion) const;
   bool on_map(Point point) const {
